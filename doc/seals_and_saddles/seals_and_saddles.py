@@ -149,10 +149,9 @@ much (red). Slip begins at the held end and spreads; dashed, Euler's slopes.*
 
 ### What it takes
 
-The automatic `Contact/Tangential regularization` of such a thin strap is 56 000 MPa/mm, so that a node sticks
-within 5e-8 mm. Steps in which the strap sticks and slips in parts then fail: those of the deck with
-`automatic` end in the {failed}. A value with which a node sticks within a hundredth of the strap's stretch, 100 MPa/mm, takes {strap_iterations} iterations for {strap_steps}
-steps. When all slips, the tensions do not depend on it: with 10 and 1000 MPa/mm the ratio differs by less than {regularization:.0e}.
+With a `Contact/Tangential regularization` of 100 MPa/mm a node sticks within a hundredth of the strap's stretch, and
+{strap_steps} steps take {strap_iterations} iterations. When all slips, the tensions do not depend on it: with `automatic`, 45 MPa/mm, with 10 and
+with 1000 MPa/mm the ratio differs by less than {regularization:.0e}.
 """
 
 # of the seal
@@ -651,14 +650,9 @@ def strap_words(runs, picture):
         "Body drum/Motions": "turn: 0 0 0 turn 0.004"}), 0.3, picture)
     moment = shipped.forces().where(body="drum")["M_y"][-1]
     _, back = held_tensions(shipped)
-    stiff = runs.run("strap_stiff", "band_brake.prm", {
-        "Contact/Tangential regularization": "automatic"}, may_stop=True)
     others = [held_tensions(runs.run(f"strap_{value}", "band_brake.prm", {
         "Contact/Tangential regularization": value}))[1]
-        for value in (10, 1000)]
-    done = len(stiff.steps)
-    if not stiff.stopped:
-        raise SystemExit("the strap with the automatic value has not failed")
+        for value in ("automatic", 10, 1000)]
     return {
         "straps": table(
             ["Wrap, degrees", "μ", "exp(μθ)", "exp(kθ)", "Cells of 4°",
@@ -668,8 +662,6 @@ def strap_words(runs, picture):
                        thick),
         "moment": abs(abs(moment)
                       / ((back - 1) * (DRUM + STRAP / 2)) - 1),
-        "failed": f"step after the first {done}" if done > 1
-                  else "first step of the turn",
         "regularization": max(abs(other / back - 1) for other in others),
         "strap_iterations": int(shipped.history["iterations"].sum()),
         "strap_steps": len(shipped.steps)}

@@ -258,12 +258,14 @@ namespace Biface
     prm.add_action("Moves with", [this](const std::string &text) {
       on_foundation = (text == "foundation");
     });
-    prm.add_parameter("Friction",
-                      friction,
-                      "Coefficient of friction between shell and body: a "
-                      "number, or a formula of the contact pressure p.",
-                      Patterns::Anything(),
-                      Unit::none());
+    add_parsed(prm,
+               "Friction",
+               "0",
+               friction,
+               parse_friction,
+               "Coefficient of friction between shell and body: a "
+               "number, or a formula of the contact pressure p.",
+               Unit::none());
     add_parsed(prm,
                "Motions",
                "",
@@ -339,12 +341,10 @@ namespace Biface
             section + "Springs", motion, "it must be one of 'Motions'");
         check_not_negative(section + "Springs", stiffness);
       }
-    const std::string entry = "Body " + name + "/Friction";
-    // the law checks its coefficient
-    if (FrictionLaw(entry, friction, 1).depends_on_speed())
+    if (friction.depends_on_speed())
       throw InputError(
-        entry,
-        friction,
+        "Body " + name + "/Friction",
+        friction.get_text(),
         "bodies have no steady rolling, and so no slip velocity s");
   }
 
@@ -361,8 +361,7 @@ namespace Biface
         return is_along_y(motion.translation) &&
                (motion.turn == 0 || is_along_y(motion.axis.value_or(axis)));
       });
-    if (on_foundation || !moves_along ||
-        !FrictionLaw("Body " + name + "/Friction", friction, 1).is_zero())
+    if (on_foundation || !moves_along || !friction.is_zero())
       return false;
     switch (shape)
       {

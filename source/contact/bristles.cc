@@ -191,7 +191,7 @@ namespace Biface
 
     const double pressure = -condition.multiplier(at.at_body.clearance);
     const FrictionLaw::Limit limit  = law.limit(pressure);
-    const double             radius = limit.value / law.stiffness();
+    const double             radius = limit.value / law.tangential_stiffness();
     const double             norm   = trial.norm();
     if (norm <= speed * radius)
       {
@@ -227,8 +227,9 @@ namespace Biface
                   by_station[i][k] = column[i];
               }
           }
-        const double per_motion = limit.per_pressure / law.stiffness() *
-                                  condition.multiplier_stiffness();
+        const double per_motion = limit.per_pressure /
+                                  law.tangential_stiffness() *
+                                  condition.penalty_stiffness();
         for (unsigned int i = 0; i < 2; ++i)
           bristle.per_position.back()[i] += per_motion * direction[i] * n;
         per_speed = project(per_speed);

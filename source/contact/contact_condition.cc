@@ -12,11 +12,11 @@ namespace Biface
   using namespace dealii;
 
   std::array<std::array<double, 4>, 4>
-  multiplier_mass(const MultiplierMass kind, const double weight)
+  mortar_matrix(const MortarMatrix kind, const double weight)
   {
     // mean of N_r N_s over an edge, in one dimension
-    const double same  = (kind == MultiplierMass::consistent ? 1. / 3 : 1. / 2);
-    const double other = (kind == MultiplierMass::consistent ? 1. / 6 : 0.);
+    const double same  = (kind == MortarMatrix::consistent ? 1. / 3 : 1. / 2);
+    const double other = (kind == MortarMatrix::consistent ? 1. / 6 : 0.);
 
     std::array<std::array<double, 4>, 4> M;
     for (unsigned int r = 0; r < 4; ++r)
@@ -32,7 +32,7 @@ namespace Biface
   {
     add_choice(prm,
                "Multiplier mass",
-               mass,
+               mortar_matrix,
                {"consistent", "lumped"},
                "Matrix from nodal contact pressures to nodal forces: "
                "'lumped' (that of dual basis functions: smooth pressures, "
@@ -50,7 +50,7 @@ namespace Biface
     add_optional_number(
       prm,
       "Regularization",
-      regularization,
+      penalty_stiffness,
       "automatic",
       "The parameter epsilon of the contact condition: a pressure p causes a "
       "penetration of p/epsilon. A positive number, or 'automatic': 7000 k with "
@@ -67,9 +67,9 @@ namespace Biface
   void
   ContactCondition::Parameters::check() const
   {
-    if (regularization)
-      check_positive("Contact/Regularization", *regularization);
-    if (points_per_side > 0 && mass == MultiplierMass::consistent)
+    if (penalty_stiffness)
+      check_positive("Contact/Regularization", *penalty_stiffness);
+    if (points_per_side > 0 && mortar_matrix == MortarMatrix::consistent)
       throw InputError("Contact/Points in cells",
                        std::to_string(points_per_side),
                        "it must be 0 with 'Multiplier mass = consistent'");

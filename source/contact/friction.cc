@@ -16,36 +16,42 @@ namespace Biface
   void
   FrictionLaw::Parameters::add_parameters(EntryDeclarations &prm)
   {
-    // no number with a unit is built in: the regularization follows from the
-    // wall, and a critical velocity must be given where a wheel needs one
-    prm.add_parameter("Friction",
-                      coefficient,
-                      "Coefficient of Coulomb friction between the shell and "
-                      "the foundation: a number, or a formula of the contact "
-                      "pressure p and of the slip velocity s, such as "
-                      "(0.8 - 0.5*p)*exp(-s/2000); below 0 it counts as 0. s "
-                      "is 0 unless the wheel rolls. Stages may have their own.",
-                      Patterns::Anything(),
-                      Unit::none());
+    // no number with a unit is built in: the tangential stiffness follows from
+    // the wall, and a critical velocity must be given where a wheel needs one
+    add_parsed(prm,
+               "Friction",
+               "0",
+               coefficient,
+               parse_friction,
+               "Coefficient of Coulomb friction between the shell and "
+               "the foundation: a number, or a formula of the contact "
+               "pressure p and of the slip velocity s, such as "
+               "(0.8 - 0.5*p)*exp(-s/2000); below 0 it counts as 0. s "
+               "is 0 unless the wheel rolls. Stages may have their own.",
+               Unit::none());
     add_optional_number(
       prm,
       "Tangential regularization",
-      regularization,
+      tangential_stiffness,
       "automatic",
       "The parameter epsilon_t of friction: a node that sticks under a "
       "tangential traction t moves by t/epsilon_t. A positive number, or "
-      "'automatic': 70 k with the stiffness k of 'Regularization'.",
+      "'automatic': 70 k with the stiffness k of 'Regularization'; in a shell "
+      "as thin as a membrane, where k is limited, times the part of "
+      "1/sum(h/E) that k is.",
       Unit("pressure/length"));
-    add_choice(prm,
-               "Rolling friction",
-               rolling,
-               {"slip velocity", "bristles"},
-               "The law of friction of a rolling wheel. 'bristles' is the law "
-               "of the wheel that stands: what sticks to the ground is carried "
-               "along, and the traction is 'Tangential regularization' times "
-               "the way that the tread has moved over the ground since it "
-               "entered the footprint, at most mu p. 'slip velocity' is a "
-               "function of the velocity, see 'Critical velocity'.");
+    add_choice(
+      prm,
+      "Rolling friction",
+      in_rolling,
+      {"slip velocity", "bristles"},
+      "The law of the sliding friction of a rolling wheel, which is not its "
+      "rolling resistance. 'bristles' is the law "
+      "of the wheel that stands: what sticks to the ground is carried "
+      "along, and the traction is 'Tangential regularization' times "
+      "the way that the tread has moved over the ground since it "
+      "entered the footprint, at most mu p. 'slip velocity' is a "
+      "function of the velocity, see 'Critical velocity'.");
     prm.add_parameter(
       "Critical velocity",
       critical_velocity,
@@ -62,22 +68,10 @@ namespace Biface
   void
   FrictionLaw::Parameters::check() const
   {
-    check_friction("Contact/Friction", coefficient);
-    if (regularization)
-      check_positive("Contact/Tangential regularization", *regularization);
+    if (tangential_stiffness)
+      check_positive("Contact/Tangential regularization",
+                     *tangential_stiffness);
     check_not_negative("Contact/Critical velocity", critical_velocity);
-  }
-
-
-  FrictionLaw
-  FrictionLaw::Parameters::of_stage(const std::string &entry,
-                                    const std::string &own,
-                                    const double       wall_stiffness) const
-  {
-    return FrictionLaw(own.empty() ? "Contact/Friction" : entry,
-                       own.empty() ? coefficient : own,
-                       regularization_on(wall_stiffness),
-                       critical_velocity);
   }
 
 
@@ -106,30 +100,49 @@ namespace Biface
   } // namespace
 
 
-  FrictionLaw::FrictionLaw(const std::string &entry,
-                           const std::string &coefficient,
-                           const double       regularization,
-                           const double       critical_velocity)
-    : critical_velocity(critical_velocity)
-    , coefficient(std::make_shared<const Formula>(
-        entry, coefficient, std::vector<std::string>{"p", "s"}))
-    , regularization(regularization)
+  FrictionCoefficient::FrictionCoefficient(const std::string &entry,
+                                           const std::string &text)
+    : text(text)
+    , constant()
+    , formula(std::make_shared<const Formula>(
+        entry, text, std::vector<std::string>{"p", "s"}))
   {
-    if (this->coefficient->used_names().empty())
+    if (formula->used_names().empty())
       {
-        constant = (*this->coefficient)({0., 0.});
+        constant = (*formula)({0., 0.});
         check_not_negative(entry, *constant);
       }
     else
-      check_somewhere_finite(*this->coefficient);
+      check_somewhere_finite(*formula);
   }
 
 
   bool
-  FrictionLaw::depends_on_speed() const
+  FrictionCoefficient::depends_on_speed() const
   {
-    const std::vector<std::string> names = coefficient->used_names();
+    if (constant)
+      return false;
+    const std::vector<std::string> names = formula->used_names();
     return std::find(names.begin(), names.end(), "s") != names.end();
+  }
+
+
+  double
+  FrictionCoefficient::value(const double pressure, const double speed) const
+  {
+    if (constant)
+      return *constant;
+    // not on all ranks: the step fails
+    const double result = formula->unchecked({pressure, speed});
+    return std::isfinite(result) ? std::max(0., result)
+                                 : std::numeric_limits<double>::quiet_NaN();
+  }
+
+
+  FrictionCoefficient
+  parse_friction(const std::string &entry, const std::string &text)
+  {
+    return FrictionCoefficient(entry, text);
   }
 
 
@@ -138,18 +151,7 @@ namespace Biface
   {
     if (!(pressure > 0))
       return 0;
-    if (constant)
-      return part * *constant * pressure;
-    try
-      {
-        return part * std::max(0., (*coefficient)({pressure, speed})) *
-               pressure;
-      }
-    catch (const InputError &)
-      {
-        // not on all ranks: the step fails
-        return std::numeric_limits<double>::quiet_NaN();
-      }
+    return part * coefficient.value(pressure, speed) * pressure;
   }
 
 
@@ -162,9 +164,9 @@ namespace Biface
     if (!(pressure > 0))
       return result;
     result.value = value(pressure, speed);
-    if (constant)
+    if (coefficient.is_constant())
       {
-        result.per_pressure = part * *constant;
+        result.per_pressure = part * coefficient.value(pressure, speed);
         return result;
       }
     const double step = small * pressure;
@@ -174,7 +176,7 @@ namespace Biface
     if (speed > 0)
       {
         // formulas need no values below 0
-        const double step  = small * std::max(speed, critical_velocity);
+        const double step  = small * std::max(speed, s_c);
         const double below = std::max(0., speed - step);
         const double above = speed + step;
         result.per_speed =
@@ -201,10 +203,4 @@ namespace Biface
     return result;
   }
 
-
-  void
-  check_friction(const std::string &entry, const std::string &coefficient)
-  {
-    const FrictionLaw law(entry, coefficient, 1);
-  }
 } // namespace Biface

@@ -7,14 +7,6 @@ namespace Biface
 {
   using namespace dealii;
 
-  void
-  FrictionBySlipVelocity::start_stage(ContactState &state) const
-  {
-    for (unsigned int n = 0; n < state.statuses.size(); ++n)
-      state.forget_stick_point(n);
-  }
-
-
   bool
   FrictionBySlipVelocity::decide(ContactState         &state,
                                  const PointInContact &at,
@@ -69,11 +61,11 @@ namespace Biface
           ground_gradient[i][j] = column[i];
       }
     result.value += friction.value + (lambda - exact) * friction.per_pressure;
-    result.stiffness += friction.per_slip * ((n * v) * gradient +
-                                             outer_product(n, gradient * v)) +
-                        result.per_velocity * ground_gradient -
-                        outer_product(friction.per_pressure,
-                                      condition.multiplier_stiffness() * n);
+    result.stiffness +=
+      friction.per_slip *
+        ((n * v) * gradient + outer_product(n, gradient * v)) +
+      result.per_velocity * ground_gradient -
+      outer_product(friction.per_pressure, condition.penalty_stiffness() * n);
     result.stiffness_of_neighbors[1] = at.particle->per_neighbor *
                                        rolling.angular_velocity *
                                        result.per_velocity;
@@ -81,20 +73,4 @@ namespace Biface
     result.per_angular_velocity      = -result.per_velocity * slope;
   }
 
-
-  void
-  FrictionBySlipVelocity::commit_step(ContactState         &state,
-                                      const PointInContact &at) const
-  {
-    state.stick_points[at.point] =
-      at.body.at_rest(Point<3>(at.x - law.elastic_slip(traction(state, at))));
-  }
-
-
-  std::shared_ptr<const TangentialLaw>
-  FrictionBySlipVelocity::with_critical_velocity(const double velocity) const
-  {
-    return std::make_shared<const FrictionBySlipVelocity>(
-      law.with_critical_velocity(velocity), condition);
-  }
 } // namespace Biface

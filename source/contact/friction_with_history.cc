@@ -82,7 +82,7 @@ namespace Biface
     Tensor<1, 3>        t    = law.trial(slip.tangential);
     // the derivative of the trial traction by the position of the node
     Tensor<2, 3> derivative =
-      -law.stiffness() *
+      -law.tangential_stiffness() *
       (Tensor<2, 3>(unit_symmetric_tensor<3>()) - outer_product(n, n) -
        (n * slip.total) * normal_gradient -
        outer_product(n, normal_gradient * slip.total));
@@ -92,7 +92,7 @@ namespace Biface
         t          = limited.traction + (lambda - exact) * limited.per_pressure;
         derivative = limited.per_trial * derivative +
                      outer_product(limited.per_pressure,
-                                   condition.multiplier_stiffness() * n);
+                                   condition.penalty_stiffness() * n);
       }
     traction.value += t;
     traction.stiffness -= derivative;

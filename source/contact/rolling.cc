@@ -63,7 +63,7 @@ namespace Biface
                             const double        pressure) const
   {
     const double speed = slip.norm();
-    const double root  = std::hypot(speed, law.critical_velocity);
+    const double root  = std::hypot(speed, law.critical_velocity());
     Traction     result;
     if (root == 0)
       return result;

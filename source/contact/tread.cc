@@ -92,8 +92,8 @@ namespace Biface
   TreadParameters::with_tread(ContactCondition::Parameters condition) const
   {
     if (height)
-      condition.regularization =
-        in_series(condition.regularization, normal_stiffness());
+      condition.penalty_stiffness =
+        in_series(condition.penalty_stiffness, normal_stiffness());
     return condition;
   }
 
@@ -102,8 +102,8 @@ namespace Biface
   TreadParameters::with_tread(FrictionLaw::Parameters friction) const
   {
     if (height)
-      friction.regularization =
-        in_series(friction.regularization, tangential_stiffness());
+      friction.tangential_stiffness =
+        in_series(friction.tangential_stiffness, tangential_stiffness());
     return friction;
   }
 } // namespace Biface

@@ -84,11 +84,13 @@ namespace Biface
 
 
   ResultsCheck::Penetration
-  ResultsCheck::largest_penetration(const State &state) const
+  ResultsCheck::largest_penetration(const State &state,
+                                    const Loads &loads) const
   {
     Penetration          largest;
     const ContactPoints &points = contact.ground().points;
-    for (unsigned int point = 0; point < points.size(); ++point)
+    const PlacedBody    *placed = contact.ground().body(loads);
+    for (unsigned int point = 0; placed && point < points.size(); ++point)
       {
         const double thickness =
           points.interpolate(point, [](const Node &node) {
@@ -96,7 +98,7 @@ namespace Biface
           });
         const Penetration here{
           state.ground().pressure(point) /
-            contact.ground().condition.multiplier_stiffness(),
+            placed->laws.condition().penalty_stiffness(),
           contact.ground().tread.height.value_or(thickness)};
         if (here.relative() > largest.relative())
           largest = here;
@@ -177,7 +179,7 @@ namespace Biface
     now.force          = report.contact.force;
     now.footprint_area = report.footprint.area;
     now.n_lines        = lines_in_contact(state);
-    now.penetration    = largest_penetration(state);
+    now.penetration    = largest_penetration(state, report.loads);
     now.balance        = balance(report);
     last               = now;
 
@@ -197,7 +199,10 @@ namespace Biface
               in_digits(deep.depth) + ", " + as_percent(deep.relative()) +
               " of its thickness of " + in_digits(deep.thickness) +
               "; raise 'Contact/Regularization', which is " +
-              in_digits(contact.ground().condition.multiplier_stiffness()) +
+              in_digits(contact.ground()
+                          .body(report.loads)
+                          ->laws.condition()
+                          .penalty_stiffness()) +
               ".");
     const Balance &forces = now.balance;
     if (forces.interpolation > remarkable * forces.largest_reaction &&

@@ -15,21 +15,26 @@ namespace Biface
 
   namespace
   {
+    /** The coefficient of friction of the foundation in a stage. */
+    FrictionCoefficient
+    coefficient_in(const Parameters &parameters, const Stage &stage)
+    {
+      return stage.laws.friction.value_or(
+        parameters.contact.friction.coefficient);
+    }
+
+
     /** Check the coefficient of friction and the glue of a stage. */
     void
     check_entries(const std::vector<Stage> &stages, const unsigned int i)
     {
       const Stage      &stage   = stages[i];
       const std::string section = "Stage " + std::to_string(i + 1);
-      if (!stage.friction.empty())
-        {
-          Biface::check_friction(section + "/Friction", stage.friction);
-          if (!stage.contact)
-            throw InputError(section + "/Friction",
-                             stage.friction,
-                             "it needs 'Contact = true'");
-        }
-      if (!stage.glued)
+      if (stage.laws.friction && !stage.contact)
+        throw InputError(section + "/Friction",
+                         stage.laws.friction->get_text(),
+                         "it needs 'Contact = true'");
+      if (!stage.laws.glued)
         return;
       if (!stage.contact)
         throw InputError(
@@ -44,20 +49,53 @@ namespace Biface
     }
 
 
+    /** Check the stiffnesses of contact of a stage. */
+    void
+    check_stiffness(const std::vector<Stage> &stages, const unsigned int i)
+    {
+      const Stage      &stage   = stages[i];
+      const std::string section = "Stage " + std::to_string(i + 1) + "/";
+      const auto        check   = [&](const std::string           &entry,
+                             const std::optional<double> &stiffness) {
+        if (!stiffness)
+          return;
+        check_positive(section + entry, *stiffness);
+        if (!stage.contact && stage.bodies.empty())
+          throw InputError(section + entry,
+                           number_to_string(*stiffness),
+                           "it needs 'Contact = true' or 'Bodies'");
+      };
+      check("Regularization", stage.laws.penalty_stiffness);
+      check("Tangential regularization", stage.laws.tangential_stiffness);
+
+      // these controls do not know how far a step goes
+      const auto before = stage_before(stages, i);
+      if (before && !stage.from_prestress &&
+          (stage.control == ControlKind::displacement ||
+           stage.control == ControlKind::arc_length) &&
+          stages[*before].laws.penalty_stiffness !=
+            stage.laws.penalty_stiffness)
+        throw InputError(
+          section + "Regularization",
+          stage.laws.penalty_stiffness
+            ? number_to_string(*stage.laws.penalty_stiffness)
+            : "as in Contact",
+          "with 'Control = " + stage.control_name() +
+            "' it must be that of the stage from which it starts");
+    }
+
+
     /** Check a stage that rolls on bristles. */
     void
     check_bristles(const Parameters &parameters, const unsigned int i)
     {
-      const Stage      &stage   = parameters.stages[i];
-      const std::string section = "Stage " + std::to_string(i + 1);
-      const std::string entry   = section + "/Friction";
-      const FrictionLaw law =
-        parameters.contact.friction.of_stage(entry, stage.friction);
-      if (law.depends_on_speed())
-        throw InputError(stage.friction.empty() ? "Contact/Friction" : entry,
-                         stage.friction.empty()
-                           ? parameters.contact.friction.coefficient
-                           : stage.friction,
+      const Stage              &stage       = parameters.stages[i];
+      const std::string         section     = "Stage " + std::to_string(i + 1);
+      const FrictionCoefficient coefficient = coefficient_in(parameters, stage);
+      if (coefficient.depends_on_speed())
+        throw InputError(stage.laws.friction ? section + "/Friction"
+                                             : "Contact/Friction",
+                         coefficient.get_text(),
                          "with 'Rolling friction = bristles' it must not "
                          "depend on the slip velocity s");
       if (stage.n_modes > 0)
@@ -78,16 +116,15 @@ namespace Biface
         const Stage      &stage   = stages[i];
         const std::string section = "Stage " + std::to_string(i + 1);
         check_entries(stages, i);
+        check_stiffness(stages, i);
         // friction with history makes no more demands
         if (!rolling[i])
           continue;
-        if (stage.glued)
+        if (stage.laws.glued)
           throw InputError(section + "/Glued",
                            "true",
                            "it must be 'false' where the wheel rolls");
-        if (!stage.contact ||
-            contact.friction.of_stage(section + "/Friction", stage.friction)
-              .is_zero())
+        if (!stage.contact || coefficient_in(*this, stage).is_zero())
           continue;
         if (stage.locates_critical_points())
           throw InputError(section + "/Critical points",
@@ -95,7 +132,7 @@ namespace Biface
                            "it must be 'ignore' or 'report' where the wheel "
                            "rolls with friction, whose tangent is not "
                            "symmetric");
-        if (contact.friction.rolling == RollingFriction::bristles)
+        if (contact.friction.in_rolling == FrictionInRolling::bristles)
           check_bristles(*this, i);
         else if (contact.friction.critical_velocity == 0)
           throw InputError("Contact/Critical velocity",
@@ -103,7 +140,7 @@ namespace Biface
                            "it must be positive for the friction of the wheel "
                            "that rolls in stage " +
                              std::to_string(i + 1));
-        if (contact.condition.mass != MultiplierMass::lumped)
+        if (contact.condition.mortar_matrix != MortarMatrix::lumped)
           throw InputError("Contact/Multiplier mass",
                            "consistent",
                            "it must be 'lumped' for the friction of the wheel "

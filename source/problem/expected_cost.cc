@@ -138,12 +138,12 @@ namespace Biface
     const double       n_copies =
       (grid.distribution == MeshDistribution::shared ? n_ranks : 1);
     bool is_symmetric =
-      parameters.contact.condition.mass == MultiplierMass::lumped &&
+      parameters.contact.condition.mortar_matrix == MortarMatrix::lumped &&
       parameters.pressure.kind == PressureKind::dead;
     for (const Stage &stage : parameters.stages)
       is_symmetric =
         is_symmetric &&
-        !(stage.contact && parameters.contact.friction.coefficient != "0");
+        !(stage.contact && !parameters.contact.friction.coefficient.is_zero());
     const bool is_small =
       is_symmetric || parameters.linear_solver.is_iterative();
     const double of_node = (is_small ? symmetric : unsymmetric) *

@@ -510,15 +510,16 @@ namespace Biface
       // or with friction, if a small slip changes its direction.
       constexpr double step = 1e-4, small_step = 2e-5;
 
-      const bool has_friction =
-        std::any_of(parameters.stages.begin(),
-                    parameters.stages.end(),
-                    [&](const Stage &stage) {
-                      return stage.contact &&
-                             (stage.glued || !parameters.contact.friction
-                                                .of_stage("", stage.friction)
-                                                .is_zero());
-                    });
+      const bool has_friction = std::any_of(
+        parameters.stages.begin(),
+        parameters.stages.end(),
+        [&](const Stage &stage) {
+          return stage.contact &&
+                 (stage.laws.glued ||
+                  !stage.laws.friction
+                     .value_or(parameters.contact.friction.coefficient)
+                     .is_zero());
+        });
       const std::string     entry = "Sensitivities/Entries";
       const DeclaredEntries declared(prm);
       std::vector<SensitivityParameters::Change> changes;

@@ -286,11 +286,15 @@ namespace Biface
         now.inclination_angle = inclinations.front();
         if (!test.pressures.empty())
           now.pressure = test.pressures.front();
-        now.friction   = "0";
-        now.n_steps    = std::max(6u, test.n_steps);
-        now.start_from = base;
+        // that of the tire at the start
+        now.laws.penalty_stiffness = stages[base - 1].laws.penalty_stiffness;
+        now.laws.tangential_stiffness =
+          stages[base - 1].laws.tangential_stiffness;
+        now.laws.friction = FrictionCoefficient();
+        now.n_steps       = std::max(6u, test.n_steps);
+        now.start_from    = base;
         stages.push_back(now);
-        now.friction        = "";
+        now.laws.friction.reset();
         now.ground_velocity = test.ground_velocity;
         now.n_steps         = test.n_steps;
       }

@@ -13,7 +13,8 @@ namespace Biface
       "cuts')";
     const char zone_edge[] =
       "smaller cells at the edge of the contact zone, or a smaller "
-      "'Contact/Regularization'";
+      "'Contact/Regularization' or, with friction, 'Contact/Tangential "
+      "regularization'";
 
 
     /** The controls that pass turning points and are not in use, after a

@@ -22,7 +22,7 @@ namespace Biface
     {
       return std::any_of(
         loads.bodies.begin(), loads.bodies.end(), [](const auto &body) {
-          return body.second.law->depends_on_velocity();
+          return body.second.laws.tangential().depends_on_velocity();
         });
     }
 
@@ -45,7 +45,7 @@ namespace Biface
                              TangentMatrix            &stiffness_of_contact)
     {
       for (const auto &[number, body] : loads.bodies)
-        body.law->hold(state.contacts[number]);
+        body.laws.tangential().hold(state.contacts[number]);
       const ShellMesh &mesh    = contact.mesh;
       LA::Vector       nothing = mesh.owned_vector();
       for (const unsigned int c : mesh.walls)

@@ -105,7 +105,7 @@ namespace Biface
       , total(contact.mesh.owned_vector())
     {
       if (zone_given)
-        contact.let_stick(state);
+        contact.make_slipping_points_stick(state);
     }
 
     const ContactInteraction &contact;

@@ -58,12 +58,12 @@ namespace Biface
 
 
   Attempt
-  attempt_step(Newton                                     &newton,
-               const StageRun                             &run,
-               const Control::Trial                       &trial,
-               const InitialGuess                         &guess,
-               const NewtonIteration                       iteration,
-               const std::shared_ptr<const TangentialLaw> &law)
+  attempt_step(Newton               &newton,
+               const StageRun       &run,
+               const Control::Trial &trial,
+               const InitialGuess   &guess,
+               const NewtonIteration iteration,
+               const ContactLaws    &laws)
   {
     Attempt attempt;
     attempt.state         = guess.state;
@@ -78,7 +78,7 @@ namespace Biface
       run.rolls ? to.temperature : (from.temperature + to.temperature) / 2};
     const ParametrizedLoads loads{[&](const LoadParameters &mu) {
                                     Loads result =
-                                      run.loads_at(trial.level(mu), law);
+                                      run.loads_at(trial.level(mu), laws);
                                     // steps without a size have no damping
                                     result.part_of_stage =
                                       trial.size > 0 ? trial.size : 1.;

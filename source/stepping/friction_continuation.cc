@@ -16,38 +16,42 @@ namespace Biface
 
   namespace
   {
-    /** Laws between the given one, at 1, and easier ones. */
+    /** Laws between the given ones, at 1, and easier ones. */
     struct EasierLaws
     {
       /** Where to start, above 1. */
-      double                                                            first;
-      std::function<std::shared_ptr<const TangentialLaw>(const double)> at;
-      std::function<std::string(const double)>                          name;
+      double                                   first;
+      std::function<FrictionLaw(const double)> at;
+      std::function<std::string(const double)> name;
     };
 
 
-    EasierLaws
-    easier_laws(const TangentialLaw &given, const double speed)
+    /** None without steady friction. */
+    std::optional<EasierLaws>
+    easier_laws(const ContactLaws &given, const double speed)
     {
-      if (given.bristles())
-        return {16,
-                [&given](const double easing) {
-                  return given.with_part_of_friction(1 / easing);
-                },
-                [](const double easing) {
-                  return "friction times " + number_to_string(1 / easing);
-                }};
+      if (given.kind_of_friction() == FrictionKind::by_bristles)
+        return EasierLaws{
+          16,
+          [&given](const double easing) {
+            return given.friction().with_part_of_friction(1 / easing);
+          },
+          [](const double easing) {
+            return "friction times " + number_to_string(1 / easing);
+          }};
+      if (given.kind_of_friction() != FrictionKind::by_slip_velocity)
+        return {};
       // as a part of the speed: nearly viscous friction
       constexpr double first    = 0.25;
-      const double     velocity = *given.critical_velocity();
-      return {std::max(first * speed / velocity, 256.),
-              [&given, velocity](const double easing) {
-                return given.with_critical_velocity(easing * velocity);
-              },
-              [velocity](const double easing) {
-                return "critical velocity " +
-                       number_to_string(easing * velocity);
-              }};
+      const double     velocity = given.friction().critical_velocity();
+      return EasierLaws{
+        std::max(first * speed / velocity, 256.),
+        [&given, velocity](const double easing) {
+          return given.friction().with_critical_velocity(easing * velocity);
+        },
+        [velocity](const double easing) {
+          return "critical velocity " + number_to_string(easing * velocity);
+        }};
     }
   } // namespace
 
@@ -61,32 +65,32 @@ namespace Biface
   {
     constexpr unsigned int max_attempts = 16;
 
-    if (!run.stage.contact ||
-        (!run.law->critical_velocity() && !run.law->bristles()))
+    const auto laws =
+      easier_laws(run.laws, std::abs(trial.level(trial.mu).ground_velocity));
+    if (!run.stage.contact || !laws)
       return failed;
     // another branch may be found, so that halving comes first; the problem of
     // a standing wheel on bristles is the same at any speed
     const bool halving_helps =
-      !run.law->bristles() || run.progress.reached.rolls();
+      !run.laws.bristles() || run.progress.reached.rolls();
     if (halving_helps && run.control->can_cut())
       return failed;
     out << "  not converged: " << failed.result.failure.message
         << "; trying easier laws of friction" << std::endl;
-    const EasierLaws laws =
-      easier_laws(*run.law, std::abs(trial.level(trial.mu).ground_velocity));
     InitialGuess          guess{run.state, trial.mu};
     unsigned int          iterations = failed.result.iterations;
-    double                easing = laws.first, ratio = 4;
+    double                easing = laws->first, ratio = 4;
     std::optional<double> last;
     for (unsigned int i = 0; i < max_attempts; ++i)
       {
-        out << "  " << laws.name(easing) << std::endl;
-        Attempt attempt = attempt_step(newton,
-                                       run,
-                                       trial,
-                                       guess,
-                                       newton.parameters.iteration,
-                                       easing > 1 ? laws.at(easing) : run.law);
+        out << "  " << laws->name(easing) << std::endl;
+        Attempt attempt = attempt_step(
+          newton,
+          run,
+          trial,
+          guess,
+          newton.parameters.iteration,
+          easing > 1 ? run.laws.with_friction(laws->at(easing)) : run.laws);
         iterations += attempt.result.iterations;
         attempt.result.iterations = iterations;
         if (attempt.result.stopped || (attempt.result.converged && easing == 1))

@@ -236,6 +236,7 @@ namespace Biface
         Control::Trial trial;
         Attempt        attempt = try_proposed_step(run, trial);
         n_iterations += attempt.result.iterations;
+        attempt.n_cuts = n_cuts;
         if (attempt.result.converged)
           {
             StepReport report = accept_to_critical_point(run, trial, attempt);
@@ -334,6 +335,20 @@ namespace Biface
                                trial,
                                predict(run, trial, false),
                                NewtonIteration::substituted);
+        attempt.result.iterations += spent;
+      }
+    // where the foundation has moved by more than the elastic slip, all nodes
+    // would slip at first, however short the step, and nothing would hold a
+    // shell that is soft sideways
+    if (attempt.result.failed() && !run.rolls && run.stage.contact &&
+        run.laws.has_friction() &&
+        attempt.result.failure.cause != FailureCause::out_of_memory)
+      {
+        out << "  not converged: " << attempt.result.failure.message
+            << "; trying with nodes that stick at first" << std::endl;
+        const unsigned int spent = attempt.result.iterations;
+        attempt                  = attempt_step(
+          newton, run, trial, {run.state, trial.mu, true}, iteration);
         attempt.result.iterations += spent;
       }
     if (attempt.result.failed())
@@ -464,6 +479,7 @@ namespace Biface
     report.residuals         = result.residuals;
     report.n_negative_pivots = result.exact_pivots();
     report.n_heat_rounds     = attempt.n_heat_rounds;
+    report.n_cuts            = attempt.n_cuts;
     for (const auto &analysis : analyses)
       analysis->end_step(run, report);
     return report;

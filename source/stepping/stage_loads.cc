@@ -64,6 +64,15 @@ namespace Biface
     {
       return split_list(entry, text, ',', 1000);
     }
+
+
+    std::optional<FrictionCoefficient>
+    parse_own_friction(const std::string &entry, const std::string &text)
+    {
+      if (text.empty())
+        return {};
+      return parse_friction(entry, text);
+    }
   } // namespace
 
 
@@ -204,14 +213,37 @@ namespace Biface
       "free rolling, with a prescribed 'Axle moment' of 0. Negative for "
       "braking, -1 for a locked wheel. 'none': see 'Angular velocity'.",
       Unit::none() | RestartChange::within_stage);
-    prm.add_parameter("Friction",
-                      friction,
-                      "Coefficient of friction in the stage, instead of that "
-                      "of the section 'Contact'; empty for that one. A number, "
-                      "or a formula of the contact pressure p and the slip "
-                      "velocity s.",
-                      Patterns::Anything(),
-                      Unit::none());
+    add_parsed(prm,
+               "Friction",
+               "",
+               laws.friction,
+               parse_own_friction,
+               "Coefficient of friction in the stage, instead of that "
+               "of the section 'Contact'; empty for that one. A number, "
+               "or a formula of the contact pressure p and the slip "
+               "velocity s.",
+               Unit::none());
+    const std::string of_contact = "as in Contact";
+    add_optional_number(
+      prm,
+      "Regularization",
+      laws.penalty_stiffness,
+      of_contact,
+      "'Contact/Regularization' in the stage, of the foundation and of bodies, to go "
+      "from soft to rigid contact in several stages: where the shell rests on an "
+      "obstacle with steep sides depends on the way, and soft contact leads to "
+      "one that does not depend on the steps. From the stage before, the "
+      "penetration of a pressure changes evenly in the steps of the stage.",
+      Unit("pressure/length"));
+    add_optional_number(
+      prm,
+      "Tangential regularization",
+      laws.tangential_stiffness,
+      of_contact,
+      "'Contact/Tangential regularization' in the stage. It "
+      "changes at the start of the stage, where nodes that stick "
+      "keep their tractions.",
+      Unit("pressure/length"));
     add_parsed(
       prm,
       "Bodies",
@@ -224,7 +256,7 @@ namespace Biface
       RestartChange::within_stage);
     prm.add_parameter(
       "Glued",
-      glued,
+      laws.glued,
       "Whether the nodes in contact with the foundation at the "
       "start of the stage cannot slip, as long as they are in "
       "contact. Nodes that come into contact later have friction, as "

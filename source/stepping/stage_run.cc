@@ -7,8 +7,10 @@
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/model/contact/approach.h>
 #include <biface/stepping/controls/make_control.h>
 #include <biface/stepping/stage_run.h>
+#include <biface/stepping/stage_sequence.h>
 
 namespace Biface
 {
@@ -16,17 +18,62 @@ namespace Biface
 
   namespace
   {
-    std::map<unsigned int, std::shared_ptr<const TangentialLaw>>
+    bool
+    has_body(const Stage &stage, const ContactPair &pair)
+    {
+      return pair.number == 0 ? stage.contact
+                              : std::find(stage.bodies.begin(),
+                                          stage.bodies.end(),
+                                          pair.name) != stage.bodies.end();
+    }
+
+
+    /** What a stage sets for a pair: the coefficient of friction and the glue
+     * are those of the foundation. */
+    ContactLawsOfStage
+    set_for(const ContactPair &pair, const Stage &stage)
+    {
+      ContactLawsOfStage laws = stage.laws;
+      if (pair.number > 0)
+        {
+          laws.friction.reset();
+          laws.glued = false;
+        }
+      return laws;
+    }
+
+
+    std::map<unsigned int, ContactLaws>
     make_laws_of_bodies(const ContactInteraction &contact, const Stage &stage)
     {
-      std::map<unsigned int, std::shared_ptr<const TangentialLaw>> laws;
+      std::map<unsigned int, ContactLaws> laws;
       for (const auto &pair : contact.pairs)
-        if (pair.get() != &contact.ground() &&
-            std::find(stage.bodies.begin(), stage.bodies.end(), pair->name) !=
-              stage.bodies.end())
-          laws[pair->number] =
-            pair->law("Body " + pair->name + "/Friction", "", false, false);
+        if (pair.get() != &contact.ground() && has_body(stage, *pair))
+          laws.emplace(pair->number, pair->laws(set_for(*pair, stage)));
       return laws;
+    }
+
+
+    std::optional<Stage>
+    before_in(const std::vector<Stage> &stages, const unsigned int position)
+    {
+      const auto before = stage_before(stages, position);
+      if (!before || stages[position].from_prestress)
+        return {};
+      return stages[*before];
+    }
+
+
+    /** A stage with the level of the stiffness of contact at its end. */
+    Stage
+    with_change_of_stiffness(Stage                       stage,
+                             const std::optional<Stage> &before,
+                             const LoadLevel            &start)
+    {
+      if (before &&
+          before->laws.penalty_stiffness != stage.laws.penalty_stiffness)
+        stage.changes_of_stiffness = start.changes_of_stiffness + 1;
+      return stage;
     }
   } // namespace
 
@@ -43,16 +90,16 @@ namespace Biface
     , heat(heat)
     , progress(progress)
     , state(state)
-    , stage(progress.complete(stages[progress.stage]))
+    , stage(with_change_of_stiffness(
+        progress.complete(stages[progress.stage]),
+        before_in(stages, progress.stage),
+        progress.stage_begun ? progress.control.start : progress.reached))
     , control(make_control(stage, parameters))
     , rolls(stage.rolls(progress.stage_begun ? progress.control.start
                                              : progress.reached))
-    , law(contact.ground().law("Stage " + std::to_string(progress.stage + 1) +
-                                 "/Friction",
-                               stage.friction,
-                               stage.glued,
-                               rolls))
+    , laws(contact.ground().laws(stage.laws, rolls))
     , laws_of_bodies(make_laws_of_bodies(contact, stage))
+    , before(before_in(stages, progress.stage))
   {
     if (progress.stage_begun)
       control->restore(progress.control);
@@ -81,8 +128,9 @@ namespace Biface
   {
     // the wheel turns about its axle whatever its inclination
     const Tensor<1, 3> axle({0., 1., 0.});
-    const Tensor<1, 3> direction = contact.ground().body_at(0).direction();
-    RigidBody          placed    = body.displaced(level.slide,
+    const Tensor<1, 3> direction =
+      contact.ground().moving_body.at_rest().direction();
+    RigidBody placed = body.displaced(level.slide,
                                       level.turn * numbers::PI / 180,
                                       progress.touched_point,
                                       direction);
@@ -93,39 +141,59 @@ namespace Biface
   }
 
 
+  ContactLaws
+  StageRun::at_level(const LoadLevel   &level,
+                     const unsigned int number,
+                     const ContactLaws &at_end) const
+  {
+    const ContactPair &pair = *contact.pairs[number];
+    // at the end of the stage, or where nothing changes
+    const double left =
+      (stage.changes_of_stiffness
+         ? *stage.changes_of_stiffness - level.changes_of_stiffness
+         : 0.);
+    if (!(left > 0) || !before || !has_body(*before, pair))
+      return at_end;
+    const double start =
+      pair.laws(set_for(pair, *before)).condition().penalty_stiffness();
+    const double end = at_end.condition().penalty_stiffness();
+    return at_end.with_condition(ContactCondition(
+      left < 1 ? 1 / (left / start + (1 - left) / end) : start));
+  }
+
+
   Loads
-  StageRun::loads_at(const LoadLevel                            &level,
-                     const std::shared_ptr<const TangentialLaw> &law) const
+  StageRun::loads_at(const LoadLevel &level, const ContactLaws &laws) const
   {
     Loads loads = loads_without_contact(level);
     if (stage.contact)
       {
         const double    slip_angle = level.slip_angle * numbers::PI / 180;
         const RigidBody ground     = with_foundation(
-          on_steered(
-            contact.ground().body_at(*progress.touching_travel + level.travel),
-            slip_angle),
+          on_steered(contact.ground().moving_body.after_travel(
+                       *progress.touching_travel + level.travel),
+                     slip_angle),
           level);
-        loads.place(0, {ground, law});
+        loads.place(0, {ground, at_level(level, 0, laws)});
         if (loads.rolling)
           loads.rolling->ground = GroundMotion::under_wheel(
             ground, level.ground_velocity, slip_angle);
       }
-    for (const auto &[number, law_of_body] : laws_of_bodies)
+    for (const auto &[number, laws_of_body] : laws_of_bodies)
       {
         const ContactPair &pair = *contact.pairs[number];
-        loads.place(
-          number,
-          {pair.body_at(level.factors,
-                        [&](const RigidBody &body) {
-                          return with_foundation(
-                            contact.ground().taken_along(
-                              body, *progress.touching_travel + level.travel),
-                            level);
-                        }),
-           law_of_body,
-           pair.face,
-           pair.name});
+        loads.place(number,
+                    {pair.moving_body.after_motions(
+                       level.factors,
+                       [&](const RigidBody &body) {
+                         return with_foundation(
+                           contact.ground().moving_body.taken_along(
+                             body, *progress.touching_travel + level.travel),
+                           level);
+                       }),
+                     at_level(level, number, laws_of_body),
+                     pair.face,
+                     pair.name});
       }
     return loads;
   }
@@ -166,7 +234,7 @@ namespace Biface
     for (const auto &item : laws_of_bodies)
       {
         const ContactPair &pair  = *contact.pairs[item.first];
-        const double       depth = pair.penetration(state, loads);
+        const double       depth = penetration(pair, state, loads);
         if (depth > contact.mesh.thickness())
           throw InputError(
             "Stage " + std::to_string(progress.stage + 1) + "/Bodies",
@@ -176,6 +244,23 @@ namespace Biface
               ", more than its thickness; let the body start outside and move "
               "it by 'Load factors'");
       }
+  }
+
+
+  void
+  StageRun::keep_tangential_tractions() const
+  {
+    if (!before ||
+        before->laws.tangential_stiffness == stage.laws.tangential_stiffness)
+      return;
+    const Loads loads = loads_at(progress.reached);
+    for (const auto &pair : contact.pairs)
+      if (has_body(stage, *pair) && has_body(*before, *pair))
+        pair->keep_tangential_tractions(
+          state,
+          loads,
+          pair->tangential_stiffness(before->laws) /
+            pair->tangential_stiffness(stage.laws));
   }
 
 
@@ -190,14 +275,15 @@ namespace Biface
       unbalance = start_from_prestress();
     if (stage.contact && !progress.touching_travel)
       {
-        progress.touching_travel = contact.ground().touching_travel(state);
+        progress.touching_travel = touching_travel(contact.ground(), state);
         progress.touched_point =
-          contact.ground().touched_point(state, *progress.touching_travel);
+          touched_point(contact.ground(), state, *progress.touching_travel);
         progress.reaction = {progress.reached, {}, {}};
       }
     progress.first_reaction = progress.reaction;
     InternalForces::set_theory(stage.theory, state);
     check_bodies();
+    keep_tangential_tractions();
     equations.start_stage(loads_at(progress.reached), state);
 
     control->begin(last_converged());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <biface/model/contact/contact_summary.h>
 #include <biface/model/quantities/footprint.h>
 #include <biface/model/quantities/forces_on_shell.h>
 #include <biface/stepping/step_reporting.h>
@@ -18,12 +19,12 @@ namespace Biface
       for_each_motion([](auto &motion, const auto &zero) { motion = zero; },
                       report.level,
                       LoadLevel());
-    report.contact   = run.contact.ground().summarize(run.state, loads);
+    report.contact   = summarize(run.contact.ground(), run.state, loads);
     report.footprint = find_footprint(run.contact.ground(), run.state, loads);
     for (const auto &pair : run.contact.pairs)
       if (pair.get() != &run.contact.ground())
         if (const PlacedBody *placed = pair->body(loads))
-          report.bodies[pair->name] = {pair->summarize(run.state, loads),
+          report.bodies[pair->name] = {summarize(*pair, run.state, loads),
                                        placed->body.displacement_of_point(),
                                        placed->body.rotation_vector()};
   }
@@ -47,8 +48,9 @@ namespace Biface
           (now.pressure != first->level.pressure && !run.stage.sealed))
         return {};
 
-      const Tensor<1, 3> outward = run.contact.ground().body_at(0).direction();
-      const Point<3>     center  = progress.touched_point + first->level.slide -
+      const Tensor<1, 3> outward =
+        run.contact.ground().moving_body.at_rest().direction();
+      const Point<3> center = progress.touched_point + first->level.slide -
                               first->level.travel * outward;
       const auto secant =
         foundation_stiffness(*first, *progress.reaction, outward, center);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include <biface/model/contact/approach.h>
 #include <biface/model/quantities/depth_between_points.h>
 #include <biface/solver/active_set_iteration.h>
 #include <biface/stepping/step_warnings.h>
@@ -19,6 +20,33 @@ namespace Biface
     warn_of_pierced_nodes(run, report.loads);
     warn_of_large_cells(run, report.loads);
     warn_of_pull(run, report);
+    warn_of_steep_sides(run, report);
+  }
+
+
+  void
+  StepWarnings::warn_of_steep_sides(const StageRun   &run,
+                                    const StepReport &report)
+  {
+    constexpr double steep = numbers::PI / 4;
+
+    if (report.n_cuts == 0)
+      return;
+    for (const auto &pair : run.contact.pairs)
+      if (pair->body(report.loads) &&
+          warned_of_steep_sides.count(pair->name) == 0 &&
+          steepest_side(*pair, run.state, report.loads) > steep)
+        {
+          out << "  Warning: the step was halved, and a steep side of "
+              << (pair.get() == &run.contact.ground()
+                    ? "the foundation"
+                    : "the body '" + pair->name + "'")
+              << " holds nodes; the shell may have several equilibria there, "
+              << "of which the steps choose one. Go from soft to rigid contact "
+              << "by 'Regularization' of stages, or give a 'Contact/Tread'"
+              << std::endl;
+          warned_of_steep_sides.insert(pair->name);
+        }
   }
 
 
@@ -76,7 +104,7 @@ namespace Biface
       {
         if (warned_of_pierced_nodes.count(pair->name) > 0 || !pair->body(loads))
           continue;
-        const ActiveSet pierced = pair->pierced_nodes(run.state, loads);
+        const ActiveSet pierced = pierced_nodes(*pair, run.state, loads);
         const bool      any     = std::any_of(
           pierced.begin(), pierced.end(), [](const char node) { return node; });
         if (!Utilities::MPI::logical_or(any, run.contact.mesh.communicator))

@@ -44,7 +44,7 @@ namespace
         const double       z_longitudinal,
         const double       z_lateral)
   {
-    const FrictionLaw      law("mu", std::to_string(mu), k_t);
+    const FrictionLaw law(FrictionCoefficient("mu", std::to_string(mu)), k_t);
     const ContactCondition contact = condition();
     const double           h       = 2 * half_length / n_cells;
     // of the slip: Pacejka's theta
@@ -122,7 +122,7 @@ namespace
                    const double        angular_velocity,
                    const double        side)
   {
-    const FrictionLaw      law("mu", "0.5 + 0.1*p", k_t);
+    const FrictionLaw      law(FrictionCoefficient("mu", "0.5 + 0.1*p"), k_t);
     const ContactCondition contact = condition();
     const BristleLaw       bristle_law(law, contact);
 

@@ -18,7 +18,7 @@ main()
   const double           p = 0.3;
 
   // the clearance that an active node with such a multiplier has
-  const double c = p / condition.multiplier_stiffness();
+  const double c = p / condition.penalty_stiffness();
   check_true("pressed, and less deep than the pressure asks for: held",
              condition.should_be_active(-p, -c / 2));
   check_true("pressed, the foundation just reached: held",

@@ -13,9 +13,13 @@ int
 main()
 {
   const double in_MPa =
-    FrictionLaw("Friction", "sqrt(1 - p)", 1).limit(0.19).value;
+    FrictionLaw(FrictionCoefficient("Friction", "sqrt(1 - p)"), 1)
+      .limit(0.19)
+      .value;
   const double in_Pa =
-    FrictionLaw("Friction", "sqrt(1 - 1e-6*p)", 1).limit(0.19e6).value;
+    FrictionLaw(FrictionCoefficient("Friction", "sqrt(1 - 1e-6*p)"), 1)
+      .limit(0.19e6)
+      .value;
   check_small("in MPa", in_MPa - 0.9 * 0.19, 1e-15);
   check_small("in Pa", 1e-6 * in_Pa - in_MPa, 1e-15);
 }

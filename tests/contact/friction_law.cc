@@ -19,7 +19,7 @@ namespace
   test(const std::string &coefficient, const double mu)
   {
     const double       p = 0.2, step = 1e-6;
-    const FrictionLaw  law("Friction", coefficient, 50);
+    const FrictionLaw  law(FrictionCoefficient("Friction", coefficient), 50);
     const Tensor<1, 3> trial({0.3, -0.2, 0.1});
     const auto         slip = law.slip(trial, p);
 
@@ -60,8 +60,9 @@ namespace
   void
   test_slip_velocity(const double speed)
   {
-    const double       p = 0.2, s_c = 0.5;
-    const FrictionLaw  law("Friction", "(1 + p)*exp(-s/10)", 50, s_c);
+    const double      p = 0.2, s_c = 0.5;
+    const FrictionLaw law(
+      FrictionCoefficient("Friction", "(1 + p)*exp(-s/10)"), 50, s_c);
     const Tensor<1, 3> direction({0.6, 0.8, 0});
     const Tensor<1, 3> across({-0.8, 0.6, 0});
     const auto         t = SlipVelocityLaw(law).traction(speed * direction, p);
@@ -95,7 +96,7 @@ main()
   test("0.8 - p", 0.6);
   test_slip_velocity(0.001);
   test_slip_velocity(20);
-  const FrictionLaw law("Friction", "0.1 - p", 50);
+  const FrictionLaw law(FrictionCoefficient("Friction", "0.1 - p"), 50);
   check_true("no traction where the formula is negative",
              law.limit(0.2).value == 0 &&
                law.slip(Tensor<1, 3>({1, 0, 0}), 0.2).traction.norm() == 0);

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include <biface/laminate/layup.h>
+#include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/force_terms.h>
@@ -28,25 +29,27 @@ namespace
   void
   test(const std::string           &name,
        const RigidBody::Parameters &foundation,
-       const MultiplierMass         mass)
+       const MortarMatrix           mass)
   {
     const Layup layup(Layup::Parameters(), cord_ply());
     const auto  mesh = coarse_torus(layup);
 
     ContactPair::Parameters parameters;
-    parameters.condition.mass           = mass;
-    parameters.condition.regularization = 1;
-    parameters.body                     = foundation;
+    parameters.condition.mortar_matrix     = mass;
+    parameters.condition.penalty_stiffness = 1;
+    parameters.body                        = foundation;
     const ContactInteraction contact(*mesh, parameters);
     ShellEquations           equations(*mesh, make_force_terms(*mesh, contact));
 
     State state = at(equations, State(*mesh), some_displacement(*mesh, 0.2, 1));
     Loads loads;
-    loads.place(
-      0, {contact.ground().body_at(contact.ground().touching_travel(state))});
+    loads.place(0,
+                {contact.ground().moving_body.after_travel(
+                   touching_travel(contact.ground(), state)),
+                 contact.ground().laws()});
     const double touching =
-      std::abs(contact.ground().remaining_travel(state, loads)) / mesh->size();
-    loads.place(0, {loads.ground()->moved(6)});
+      std::abs(remaining_travel(contact.ground(), state, loads)) / mesh->size();
+    loads.place(0, {loads.ground()->moved(6), contact.ground().laws()});
     const unsigned int n_active = contact.settle(state, loads);
 
     // the forces of the contact alone
@@ -91,7 +94,7 @@ namespace
     const double step  = 1e-5;
     const auto   moved = [&](const double travel) {
       Loads result = loads;
-      result.place(0, {loads.ground()->moved(travel)});
+      result.place(0, {loads.ground()->moved(travel), contact.ground().laws()});
       return result;
     };
     const double per_travel =
@@ -129,7 +132,7 @@ namespace
     check_small("  travel left when it touches", touching, 1e-14);
     check_range("  nodes in contact", n_active, 2, n_nodes / 2);
     // with the consistent mass, nodes that are held take part of the force
-    if (mass == MultiplierMass::lumped)
+    if (mass == MortarMatrix::lumped)
       {
         check_small("  sum of the forces", sum * d + scale, 1e-12, scale);
         check_small("  moment about axis or center",
@@ -163,13 +166,13 @@ main(int argc, char *argv[])
 
   foundation.shape       = Shape::drum;
   foundation.drum.radius = 80;
-  test("drum, lumped mass", foundation, MultiplierMass::lumped);
-  test("drum, consistent mass", foundation, MultiplierMass::consistent);
+  test("drum, lumped mass", foundation, MortarMatrix::lumped);
+  test("drum, consistent mass", foundation, MortarMatrix::consistent);
   foundation.drum.radius = -400;
-  test("hollow drum, lumped mass", foundation, MultiplierMass::lumped);
+  test("hollow drum, lumped mass", foundation, MortarMatrix::lumped);
 
   foundation.shape         = Shape::sphere;
   foundation.sphere.radius = 120;
-  test("sphere, lumped mass", foundation, MultiplierMass::lumped);
-  test("sphere, consistent mass", foundation, MultiplierMass::consistent);
+  test("sphere, lumped mass", foundation, MortarMatrix::lumped);
+  test("sphere, consistent mass", foundation, MortarMatrix::consistent);
 }

@@ -56,8 +56,9 @@ main(int argc, char *argv[])
       Loads                    loads;
       for (const unsigned int i : {1, 2})
         loads.place(i,
-                    {contact.pairs[i]->body_at(
-                      {0.}, [](const RigidBody &body) { return body; })});
+                    {contact.pairs[i]->moving_body.after_motions(
+                       {0.}, [](const RigidBody &body) { return body; }),
+                     contact.pairs[i]->laws()});
       const auto of_bar = depth_between_points(*contact.pairs[1], state, loads),
                  of_plane =
                    depth_between_points(*contact.pairs[2], state, loads);

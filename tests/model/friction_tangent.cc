@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include <biface/laminate/layup.h>
+#include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/force_terms.h>
@@ -26,35 +27,37 @@ namespace
 
 
   void
-  test(const std::string   &name,
-       const Shape          shape,
-       const MultiplierMass mass,
-       const unsigned int   points = 0)
+  test(const std::string &name,
+       const Shape        shape,
+       const MortarMatrix mass,
+       const unsigned int points = 0)
   {
     const Layup layup(Layup::Parameters(), cord_ply());
     const auto  mesh = coarse_torus(layup);
 
     ContactPair::Parameters parameters;
-    parameters.condition.mass            = mass;
-    parameters.condition.regularization  = 1;
-    parameters.condition.points_per_side = points;
-    parameters.friction.coefficient      = "0.4 + 0.1*p";
-    parameters.friction.regularization   = 0.7;
-    parameters.body.shape                = shape;
-    parameters.body.line.direction       = Tensor<1, 3>({1, 0.2, -0.1});
-    parameters.body.drum.radius          = 80;
-    parameters.body.drum.axis            = Tensor<1, 3>({0.3, 1, 0.1});
-    parameters.body.sphere.radius        = 120;
+    parameters.condition.mortar_matrix     = mass;
+    parameters.condition.penalty_stiffness = 1;
+    parameters.condition.points_per_side   = points;
+    parameters.friction.coefficient =
+      FrictionCoefficient("Friction", "0.4 + 0.1*p");
+    parameters.friction.tangential_stiffness = 0.7;
+    parameters.body.shape                    = shape;
+    parameters.body.line.direction           = Tensor<1, 3>({1, 0.2, -0.1});
+    parameters.body.drum.radius              = 80;
+    parameters.body.drum.axis                = Tensor<1, 3>({0.3, 1, 0.1});
+    parameters.body.sphere.radius            = 120;
     const ContactInteraction contact(*mesh, parameters);
     ShellEquations           equations(*mesh, make_force_terms(*mesh, contact));
 
     State state =
       at(equations, contact.unloaded_state(), some_displacement(*mesh, 0.2, 1));
-    const double   touching = contact.ground().touching_travel(state);
-    const Point<3> pivot    = contact.ground().touched_point(state, touching);
-    const auto     law      = contact.ground().law("", "", false, false);
+    const double   touching = touching_travel(contact.ground(), state);
+    const Point<3> pivot    = touched_point(contact.ground(), state, touching);
+    const auto     law      = contact.ground().laws();
     Loads          loads;
-    loads.place(0, {contact.ground().body_at(touching + 14), law});
+    loads.place(
+      0, {contact.ground().moving_body.after_travel(touching + 14), law});
     const Tensor<1, 3> across =
       cross_product_3d(loads.ground()->direction(), Tensor<1, 3>({1, 2, 3}));
     loads.place(0, {loads.ground()->displaced(across, 0.1, pivot), law});
@@ -64,7 +67,7 @@ namespace
     // the foundation moves on, and some nodes are said to do something else
     loads.place(0,
                 {contact.ground()
-                   .body_at(touching + 15)
+                   .moving_body.after_travel(touching + 15)
                    .displaced(1.3 * across, 0.12, pivot),
                  law});
     contact.settle(state, loads);
@@ -142,14 +145,13 @@ main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  for (const auto mass : {MultiplierMass::lumped, MultiplierMass::consistent})
+  for (const auto mass : {MortarMatrix::lumped, MortarMatrix::consistent})
     {
       const std::string kind =
-        (mass == MultiplierMass::lumped ? ", lumped mass"
-                                        : ", consistent mass");
+        (mass == MortarMatrix::lumped ? ", lumped mass" : ", consistent mass");
       test("plane" + kind, Shape::plane, mass);
       test("drum" + kind, Shape::drum, mass);
       test("sphere" + kind, Shape::sphere, mass);
     }
-  test("sphere, points in cells", Shape::sphere, MultiplierMass::lumped, 3);
+  test("sphere, points in cells", Shape::sphere, MortarMatrix::lumped, 3);
 }

@@ -7,6 +7,7 @@
 // of the power of the body in this motion.
 
 #include <biface/laminate/layup.h>
+#include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/force_terms.h>
@@ -31,9 +32,9 @@ namespace
     const auto  mesh = coarse_torus(layup);
 
     ContactPair::Parameters parameters;
-    parameters.condition.regularization = 1;
-    parameters.body.shape               = RigidBody::Parameters::Shape::sphere;
-    parameters.body.sphere              = {120};
+    parameters.condition.penalty_stiffness = 1;
+    parameters.body.shape  = RigidBody::Parameters::Shape::sphere;
+    parameters.body.sphere = {120};
     const ContactInteraction contact(*mesh, parameters);
 
     PressureLoad pressure;
@@ -51,9 +52,10 @@ namespace
     Loads loads;
     loads.pressure = 0.1;
     loads.factors  = {0.7};
-    loads.place(
-      0,
-      {contact.ground().body_at(contact.ground().touching_travel(state) + 6)});
+    loads.place(0,
+                {contact.ground().moving_body.after_travel(
+                   touching_travel(contact.ground(), state) + 6),
+                 contact.ground().laws()});
     contact.settle(state, loads);
 
     const bool is_root = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
@@ -74,7 +76,9 @@ namespace
             Loads moved = loads;
             moved.pressure += sign * step * rates.pressure;
             moved.factors[0] += sign * step * rates.factors[0];
-            moved.place(0, {loads.ground()->moved(sign * step * rates.travel)});
+            moved.place(0,
+                        {loads.ground()->moved(sign * step * rates.travel),
+                         contact.ground().laws()});
             equations.assemble(state, moved);
             deviation.add(-sign / (2 * step), equations.residual());
           }
@@ -93,8 +97,8 @@ namespace
     const auto  mesh = coarse_torus(layup);
 
     ContactPair::Parameters ground;
-    ground.condition.regularization = 1;
-    ground.friction.regularization  = 0.5;
+    ground.condition.penalty_stiffness   = 1;
+    ground.friction.tangential_stiffness = 0.5;
     BodyParameters bar;
     bar.name   = "bar";
     bar.shape  = shape;
@@ -103,7 +107,7 @@ namespace
     bar.point =
       Point<3>(shape == BodyParameters::Shape::sphere ? 360 : 240, 5, -8);
     bar.axis     = Tensor<1, 3>({0.3, 1, -0.5});
-    bar.friction = friction;
+    bar.friction = FrictionCoefficient("Friction", friction);
     BodyMotion motion;
     motion.name        = "screw";
     motion.translation = Tensor<1, 3>({-3, 1, 2});
@@ -121,9 +125,9 @@ namespace
       Loads loads;
       loads.factors = {factor, 0.5 * factor};
       loads.place(1,
-                  {pair.body_at(loads.factors,
-                                [](const RigidBody &body) { return body; }),
-                   pair.law("", "", false, false)});
+                  {pair.moving_body.after_motions(
+                     loads.factors, [](const RigidBody &body) { return body; }),
+                   pair.laws()});
       return loads;
     };
 

@@ -5,8 +5,10 @@
 // field, to the reported force and the forces on the shell.
 
 #include <biface/laminate/layup.h>
+#include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/contact/contact_summary.h>
 #include <biface/model/equations/force_terms.h>
 
 #include "coarse_torus.h"
@@ -21,27 +23,28 @@ namespace
   void
   test(const std::string                 &name,
        const RigidBody::Parameters::Shape shape,
-       const MultiplierMass               mass)
+       const MortarMatrix                 mass)
   {
     const Layup layup(Layup::Parameters(), cord_ply());
     const auto  mesh = coarse_torus(layup);
 
     ContactPair::Parameters parameters;
-    parameters.condition.mass           = mass;
-    parameters.condition.regularization = 2;
-    parameters.body.shape               = shape;
-    parameters.body.sphere              = {300};
+    parameters.condition.mortar_matrix     = mass;
+    parameters.condition.penalty_stiffness = 2;
+    parameters.body.shape                  = shape;
+    parameters.body.sphere                 = {300};
     const ContactInteraction contact(*mesh, parameters);
     ShellEquations           equations(*mesh, make_force_terms(*mesh, contact));
 
     State state = at(equations, State(*mesh), some_displacement(*mesh, 0.2, 1));
     Loads loads;
-    loads.place(
-      0,
-      {contact.ground().body_at(contact.ground().touching_travel(state) + 12)});
+    loads.place(0,
+                {contact.ground().moving_body.after_travel(
+                   touching_travel(contact.ground(), state) + 12),
+                 contact.ground().laws()});
     contact.settle(state, loads);
     // another displacement, farther back: nodes leave
-    loads.place(0, {loads.ground()->moved(-7)});
+    loads.place(0, {loads.ground()->moved(-7), contact.ground().laws()});
     state = at(equations, state, some_displacement(*mesh, 0.6, 5));
     const unsigned int n_changes = contact.settle(state, loads);
 
@@ -60,7 +63,7 @@ namespace
       }
 
     // the traction at Gauss' points of each cell, times the shape functions
-    const ContactSummary summary = contact.ground().summarize(state, loads);
+    const ContactSummary summary = summarize(contact.ground(), state, loads);
     const Tensor<1, 3>   d       = loads.ground()->direction();
     double               force   = 0;
     LA::Vector           forces  = mesh->owned_vector();
@@ -124,7 +127,7 @@ namespace
     check_small(
       "  maximum pressure", summary.max_pressure - largest, 1e-14, largest);
     check_small("  force", summary.force - force, 1e-13, force);
-    if (mass == MultiplierMass::consistent)
+    if (mass == MortarMatrix::consistent)
       check_small("  forces on the shell", difference, 1e-12, size);
   }
 } // namespace
@@ -136,7 +139,7 @@ main(int argc, char *argv[])
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
   using Shape = RigidBody::Parameters::Shape;
-  test("plane, consistent mass", Shape::plane, MultiplierMass::consistent);
-  test("plane, lumped mass", Shape::plane, MultiplierMass::lumped);
-  test("sphere, consistent mass", Shape::sphere, MultiplierMass::consistent);
+  test("plane, consistent mass", Shape::plane, MortarMatrix::consistent);
+  test("plane, lumped mass", Shape::plane, MortarMatrix::lumped);
+  test("sphere, consistent mass", Shape::sphere, MortarMatrix::consistent);
 }

@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include <biface/laminate/layup.h>
+#include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/force_terms.h>
@@ -30,8 +31,8 @@ namespace
   test(const std::string                 &name,
        const RigidBody::Parameters::Shape shape,
        const double                       omega,
-       const Interpolation   interpolation = Interpolation::components,
-       const RollingFriction friction      = RollingFriction::slip_velocity)
+       const Interpolation     interpolation = Interpolation::components,
+       const FrictionInRolling friction      = FrictionInRolling::slip_velocity)
   {
     auto material       = cord_ply();
     material[0].density = 1e-4;
@@ -40,30 +41,33 @@ namespace
       coarse_torus(layup, StrainSampling::vertices, true, interpolation);
 
     ContactPair::Parameters parameters;
-    parameters.condition.regularization = 1;
-    parameters.friction.coefficient     = (friction == RollingFriction::bristles
-                                             ? "0.4 + 0.1*p"
-                                             : "(0.4 + 0.1*p)*(1 + exp(-s/200))/2");
-    parameters.friction.rolling         = friction;
-    parameters.friction.regularization  = 0.3;
-    parameters.friction.critical_velocity = 20;
-    parameters.body.line.direction        = Tensor<1, 3>({1, 0.2, -0.1});
-    parameters.body.shape                 = shape;
-    parameters.body.drum.radius           = 300;
-    parameters.body.drum.axis             = Tensor<1, 3>({-0.2, 1, 0.3});
+    parameters.condition.penalty_stiffness = 1;
+    parameters.friction.coefficient =
+      FrictionCoefficient("Friction",
+                          friction == FrictionInRolling::bristles
+                            ? "0.4 + 0.1*p"
+                            : "(0.4 + 0.1*p)*(1 + exp(-s/200))/2");
+    parameters.friction.in_rolling           = friction;
+    parameters.friction.tangential_stiffness = 0.3;
+    parameters.friction.critical_velocity    = 20;
+    parameters.body.line.direction           = Tensor<1, 3>({1, 0.2, -0.1});
+    parameters.body.shape                    = shape;
+    parameters.body.drum.radius              = 300;
+    parameters.body.drum.axis                = Tensor<1, 3>({-0.2, 1, 0.3});
     const ContactInteraction contact(*mesh, parameters);
     ShellEquations           equations(*mesh, make_force_terms(*mesh, contact));
 
     State state = at(equations, State(*mesh), some_displacement(*mesh, 0.2, 1));
     Loads loads;
-    const auto   law        = contact.ground().law("", "", false, true);
-    const double touching   = contact.ground().touching_travel(state);
+    const auto   law        = contact.ground().laws({}, true);
+    const double touching   = touching_travel(contact.ground(), state);
     const auto   set_travel = [&](Loads &loads, const double travel) {
       const double slip_angle = 0.02;
-      loads.place(
-        0,
-        {on_steered(contact.ground().body_at(touching + travel), slip_angle),
-         law});
+      loads.place(0,
+                  {on_steered(contact.ground().moving_body.after_travel(
+                                touching + travel),
+                              slip_angle),
+                   law});
       loads.rolling->ground =
         GroundMotion::under_wheel(*loads.ground(), 200 * omega + 5, slip_angle);
     };
@@ -131,7 +135,7 @@ namespace
       }
 
     Loads smooth = loads;
-    smooth.place(0, {*loads.ground()});
+    smooth.place(0, {*loads.ground(), ContactLaws(law.condition())});
     equations.assemble(state, smooth);
     const LA::Vector other = some_displacement(*mesh, 1, 9);
     LA::Vector       left = mesh->owned_vector(), right = left;
@@ -191,5 +195,5 @@ main(int argc, char *argv[])
            shape,
            omega,
            Interpolation::components,
-           RollingFriction::bristles);
+           FrictionInRolling::bristles);
 }

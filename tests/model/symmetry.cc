@@ -5,6 +5,7 @@
 // law is not symmetric.
 
 #include <biface/laminate/layup.h>
+#include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/force_terms.h>
@@ -21,13 +22,13 @@ using namespace Biface;
 namespace
 {
   void
-  test(const std::string   &name,
-       const ThicknessLaw   law,
-       const MultiplierMass mass,
-       const PressureKind   kind,
-       const bool           symmetric,
-       const bool           with_pressure,
-       const bool           with_foundation)
+  test(const std::string &name,
+       const ThicknessLaw law,
+       const MortarMatrix mass,
+       const PressureKind kind,
+       const bool         symmetric,
+       const bool         with_pressure,
+       const bool         with_foundation)
   {
     Layup::Parameters parameters;
     parameters.law = law;
@@ -35,8 +36,8 @@ namespace
     const auto  mesh = coarse_torus(layup);
 
     ContactPair::Parameters contact_parameters;
-    contact_parameters.condition.mass           = mass;
-    contact_parameters.condition.regularization = 1;
+    contact_parameters.condition.mortar_matrix     = mass;
+    contact_parameters.condition.penalty_stiffness = 1;
     const ContactInteraction contact(*mesh, contact_parameters);
     PressureLoad             pressure;
     pressure.kind = kind;
@@ -48,8 +49,9 @@ namespace
     loads.pressure = (with_pressure ? 0.1 : 0.);
     if (with_foundation)
       loads.place(0,
-                  {contact.ground().body_at(
-                    contact.ground().touching_travel(state) + 6)});
+                  {contact.ground().moving_body.after_travel(
+                     touching_travel(contact.ground(), state) + 6),
+                   contact.ground().laws()});
     contact.settle(state, loads);
     equations.assemble(state, loads);
 
@@ -75,8 +77,8 @@ main(int argc, char *argv[])
 
   const auto law        = ThicknessLaw::symmetric;
   const auto asymmetric = ThicknessLaw::asymmetric;
-  const auto consistent = MultiplierMass::consistent;
-  const auto lumped     = MultiplierMass::lumped;
+  const auto consistent = MortarMatrix::consistent;
+  const auto lumped     = MortarMatrix::lumped;
   const auto dead       = PressureKind::dead;
   const auto follower   = PressureKind::follower;
 

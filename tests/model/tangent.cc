@@ -8,6 +8,7 @@
 
 #include <biface/input/parameter_tools.h>
 #include <biface/laminate/layup.h>
+#include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/force_terms.h>
@@ -31,18 +32,18 @@ namespace
 
 
   void
-  test(const std::string   &name,
-       const ThicknessLaw   law,
-       const MultiplierMass mass,
-       const StrainTheory   theory,
-       const PressureKind   pressure_kind = PressureKind::dead,
-       const std::string   &plies         = bias_plies,
-       const Shape          foundation    = Shape::plane,
-       const std::string   &shear         = "constant strain",
-       const std::string   &compression   = "E_L",
-       const Interpolation  interpolation = Interpolation::components,
-       const std::string   &layers        = "one",
-       const unsigned int   points        = 0)
+  test(const std::string  &name,
+       const ThicknessLaw  law,
+       const MortarMatrix  mass,
+       const StrainTheory  theory,
+       const PressureKind  pressure_kind = PressureKind::dead,
+       const std::string  &plies         = bias_plies,
+       const Shape         foundation    = Shape::plane,
+       const std::string  &shear         = "constant strain",
+       const std::string  &compression   = "E_L",
+       const Interpolation interpolation = Interpolation::components,
+       const std::string  &layers        = "one",
+       const unsigned int  points        = 0)
   {
     Layup::Parameters parameters;
     parameters.plies             = parse_plies("plies", plies);
@@ -57,14 +58,14 @@ namespace
 
     // a foundation as soft as the shell, so that neither hides the other
     ContactPair::Parameters contact_parameters;
-    contact_parameters.condition.mass            = mass;
-    contact_parameters.condition.regularization  = 1;
-    contact_parameters.condition.points_per_side = points;
-    contact_parameters.body.shape                = foundation;
-    contact_parameters.body.line.direction       = Tensor<1, 3>({1, 0.2, -0.1});
-    contact_parameters.body.drum.radius          = 80;
-    contact_parameters.body.drum.axis            = Tensor<1, 3>({0.3, 1, 0.1});
-    contact_parameters.body.sphere.radius        = 120;
+    contact_parameters.condition.mortar_matrix     = mass;
+    contact_parameters.condition.penalty_stiffness = 1;
+    contact_parameters.condition.points_per_side   = points;
+    contact_parameters.body.shape                  = foundation;
+    contact_parameters.body.line.direction = Tensor<1, 3>({1, 0.2, -0.1});
+    contact_parameters.body.drum.radius    = 80;
+    contact_parameters.body.drum.axis      = Tensor<1, 3>({0.3, 1, 0.1});
+    contact_parameters.body.sphere.radius  = 120;
     const ContactInteraction contact(*mesh, contact_parameters);
 
     PressureLoad pressure;
@@ -103,9 +104,10 @@ namespace
     Loads loads;
     loads.pressure = 0.1;
     loads.factors  = {0.7};
-    loads.place(
-      0,
-      {contact.ground().body_at(contact.ground().touching_travel(state) + 6)});
+    loads.place(0,
+                {contact.ground().moving_body.after_travel(
+                   touching_travel(contact.ground(), state) + 6),
+                 contact.ground().laws()});
     const unsigned int n_active = contact.settle(state, loads);
 
     equations.assemble(state, loads);
@@ -169,27 +171,27 @@ main(int argc, char *argv[])
 
   test("symmetric law, consistent mass",
        ThicknessLaw::symmetric,
-       MultiplierMass::consistent,
+       MortarMatrix::consistent,
        StrainTheory::nonlinear);
   test("symmetric law, lumped mass",
        ThicknessLaw::symmetric,
-       MultiplierMass::lumped,
+       MortarMatrix::lumped,
        StrainTheory::nonlinear);
   test("asymmetric law, consistent mass",
        ThicknessLaw::asymmetric,
-       MultiplierMass::consistent,
+       MortarMatrix::consistent,
        StrainTheory::nonlinear);
   test("full law, lumped mass",
        ThicknessLaw::full,
-       MultiplierMass::lumped,
+       MortarMatrix::lumped,
        StrainTheory::nonlinear);
   test("linear theory",
        ThicknessLaw::symmetric,
-       MultiplierMass::consistent,
+       MortarMatrix::consistent,
        StrainTheory::linear);
   test("transverse shear from equilibrium",
        ThicknessLaw::symmetric,
-       MultiplierMass::lumped,
+       MortarMatrix::lumped,
        StrainTheory::nonlinear,
        PressureKind::dead,
        bias_plies,
@@ -199,7 +201,7 @@ main(int argc, char *argv[])
     test(std::string("slack cords") +
            (theory == StrainTheory::linear ? ", linear theory" : ""),
          ThicknessLaw::symmetric,
-         MultiplierMass::lumped,
+         MortarMatrix::lumped,
          theory,
          PressureKind::dead,
          bias_plies,
@@ -208,7 +210,7 @@ main(int argc, char *argv[])
          "E_L/100");
   test("Cartesian interpolation",
        ThicknessLaw::symmetric,
-       MultiplierMass::lumped,
+       MortarMatrix::lumped,
        StrainTheory::nonlinear,
        PressureKind::follower,
        bias_plies,
@@ -218,12 +220,12 @@ main(int argc, char *argv[])
        Interpolation::Cartesian);
   test("follower pressure",
        ThicknessLaw::symmetric,
-       MultiplierMass::lumped,
+       MortarMatrix::lumped,
        StrainTheory::nonlinear,
        PressureKind::follower);
   test("follower pressure, linear theory",
        ThicknessLaw::symmetric,
-       MultiplierMass::lumped,
+       MortarMatrix::lumped,
        StrainTheory::linear,
        PressureKind::follower);
   // lines of the coarse torus, whose cells grow by 1.1
@@ -231,7 +233,7 @@ main(int argc, char *argv[])
   const double begin = -60 + first, end = begin + first * (1.1 + 1.21);
   test("plies that change along the meridian",
        ThicknessLaw::symmetric,
-       MultiplierMass::lumped,
+       MortarMatrix::lumped,
        StrainTheory::nonlinear,
        PressureKind::follower,
        "cord: 2 + 0.02*alpha_1 @ 52 - 0.1*alpha_1, cord: 2.4 @ -52, "
@@ -241,7 +243,7 @@ main(int argc, char *argv[])
     test(std::string("layers, one of which ends") +
            (theory == StrainTheory::linear ? ", linear theory" : ""),
          ThicknessLaw::symmetric,
-         MultiplierMass::lumped,
+         MortarMatrix::lumped,
          theory,
          PressureKind::follower,
          "cord: 2 + 0.02*alpha_1 @ 52 - 0.1*alpha_1, cord: 2.4 @ -52, "
@@ -252,10 +254,10 @@ main(int argc, char *argv[])
          "E_L/100",
          Interpolation::components,
          "1/2, 3/2, 1");
-  for (const auto mass : {MultiplierMass::lumped, MultiplierMass::consistent})
+  for (const auto mass : {MortarMatrix::lumped, MortarMatrix::consistent})
     {
       const std::string name =
-        (mass == MultiplierMass::lumped ? "lumped mass" : "consistent mass");
+        (mass == MortarMatrix::lumped ? "lumped mass" : "consistent mass");
       test("drum, " + name,
            ThicknessLaw::symmetric,
            mass,
@@ -273,7 +275,7 @@ main(int argc, char *argv[])
     }
   test("points in cells, layers, drum",
        ThicknessLaw::symmetric,
-       MultiplierMass::lumped,
+       MortarMatrix::lumped,
        StrainTheory::nonlinear,
        PressureKind::dead,
        bias_plies,

@@ -6,8 +6,10 @@
 
 #include <deal.II/base/timer.h>
 
+#include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/contact/contact_summary.h>
 #include <biface/model/equations/force_terms.h>
 #include <biface/problem/parameters.h>
 #include <biface/problem/shell_model.h>
@@ -30,9 +32,9 @@ namespace
     parameters.face                = face;
     parameters.body.line.direction = Tensor<1, 3>({0, 0, 1});
     parameters.body.line.direction *= (face == Resultants::outer ? 1 : -1);
-    parameters.condition.regularization = epsilon;
-    parameters.friction.coefficient     = "0.5";
-    parameters.friction.regularization  = 5;
+    parameters.condition.penalty_stiffness = epsilon;
+    parameters.friction.coefficient = FrictionCoefficient("Friction", "0.5");
+    parameters.friction.tangential_stiffness = 5;
     return parameters;
   }
 
@@ -86,7 +88,7 @@ main(int argc, char *argv[])
           pair->touching_travel(contact.unloaded_state()) + approach);
         if (pair->face == Resultants::outer)
           body = body.displaced(Tensor<1, 3>({slide, 0, 0}), 0, Point<3>());
-        loads.place(pair->number, {body, pair->law("", "", false, false)});
+        loads.place(pair->number, {body, pair->laws()});
       }
     return loads;
   };
@@ -101,8 +103,8 @@ main(int argc, char *argv[])
   for (const auto &pair : contact.pairs)
     pair->commit_step(state, loads_at(0));
   const bool           squeezed = solve(loads_at(0));
-  const ContactSummary outer = contact.pairs[0]->summarize(state, loads_at(0)),
-                       inner = contact.pairs[1]->summarize(state, loads_at(0));
+  const ContactSummary outer = summarize(*contact.pairs[0], state, loads_at(0)),
+                       inner = summarize(*contact.pairs[1], state, loads_at(0));
   equations.commit_step(state, loads_at(0), {0, 1}, state);
   const bool                slid = solve(loads_at(slide));
   std::vector<Tensor<1, 3>> forces;

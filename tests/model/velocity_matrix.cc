@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include <biface/laminate/layup.h>
+#include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/force_terms.h>
@@ -38,8 +39,9 @@ namespace
                           interpolation);
     };
     ContactPair::Parameters parameters;
-    parameters.condition.regularization   = 1;
-    parameters.friction.coefficient       = "(0.4 + 0.1*p)*(1 + exp(-s/200))/2";
+    parameters.condition.penalty_stiffness = 1;
+    parameters.friction.coefficient =
+      FrictionCoefficient("Friction", "(0.4 + 0.1*p)*(1 + exp(-s/200))/2");
     parameters.friction.critical_velocity = 20;
     parameters.body.line.direction        = Tensor<1, 3>({1, 0.2, -0.1});
     parameters.body.shape                 = shape;
@@ -52,10 +54,10 @@ namespace
     State          state =
       at(equations, State(*light), some_displacement(*light, 0.2, 1));
     Loads loads;
-    loads.place(
-      0,
-      {contact.ground().body_at(contact.ground().touching_travel(state) + 15),
-       contact.ground().law("", "", false, true)});
+    loads.place(0,
+                {contact.ground().moving_body.after_travel(
+                   touching_travel(contact.ground(), state) + 15),
+                 contact.ground().laws({}, true)});
     loads.rolling = Rolling{5};
     loads.rolling->ground =
       GroundMotion::under_wheel(*loads.ground(), 1005, 0.02);
@@ -84,7 +86,8 @@ namespace
 
     const auto               heavy = mesh(1e-4);
     const ContactInteraction no_friction(*heavy, parameters);
-    loads.place(0, {*loads.ground()});
+    loads.place(
+      0, {*loads.ground(), ContactLaws(contact.ground().laws().condition())});
     const VelocityMatrix gyroscopic(no_friction, State(*heavy), loads);
     const LA::Vector     x = some_displacement(*heavy, 1, 4),
                      y     = some_displacement(*heavy, 1, 9);

@@ -8,6 +8,7 @@
 
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/contact/contact_summary.h>
 
 #include "cord_shells.h"
 #include <tests.h>
@@ -31,7 +32,7 @@ namespace
         state.contacts[0].multipliers[n] =
           Tensor<1, 3>({-(at_begin + part * (at_end - at_begin)), 0, 0});
       }
-    return contact.ground().summarize(state, Loads());
+    return summarize(contact.ground(), state, Loads());
   }
 } // namespace
 

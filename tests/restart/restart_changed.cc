@@ -81,6 +81,8 @@ main(int argc, char *argv[])
   check("Stage 1/Steps=3");
   check("Mesh/Coarse meshes=1");
   check("Sensitivities/Entries=Stage 1/Pressure");
+  check("Stage 2/Regularization=100");
+  check("Stage 2/Tangential regularization=1");
   check("Output/Failure criteria=Tsai-Wu");
   check("Number of stages=1");
 

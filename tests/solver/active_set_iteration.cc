@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include <biface/laminate/layup.h>
+#include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
 #include <biface/solver/active_set_iteration.h>
@@ -31,11 +32,14 @@ main(int argc, char *argv[])
 
   // the foundation goes to and fro, and the shell stands still
   Loads near, far;
-  near.place(
-    0,
-    {contact.ground().body_at(contact.ground().touching_travel(state) + 12)});
-  far.place(
-    0, {contact.ground().body_at(contact.ground().touching_travel(state) + 1)});
+  near.place(0,
+             {contact.ground().moving_body.after_travel(
+                touching_travel(contact.ground(), state) + 12),
+              contact.ground().laws()});
+  far.place(0,
+            {contact.ground().moving_body.after_travel(
+               touching_travel(contact.ground(), state) + 1),
+             contact.ground().laws()});
 
   ActiveSetIteration zone(contact, out);
   const auto         print = [&](const std::string &what) {

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include <biface/laminate/layup.h>
+#include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/force_terms.h>
@@ -71,9 +72,10 @@ namespace
                      contact.unloaded_state(),
                      some_displacement(*mesh, roughness, 1));
     Loads loads;
-    loads.place(
-      0,
-      {contact.ground().body_at(contact.ground().touching_travel(state) + 10)});
+    loads.place(0,
+                {contact.ground().moving_body.after_travel(
+                   touching_travel(contact.ground(), state) + 10),
+                 contact.ground().laws()});
     contact.update_active_set(state, loads);
     const ActiveSet all = contact.active_points(state);
 
@@ -177,10 +179,10 @@ main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   ContactPair::Parameters          parameters;
-  parameters.body.line.direction = Tensor<1, 3>({1, 0, 0});
-  parameters.condition.mass      = MultiplierMass::lumped;
+  parameters.body.line.direction     = Tensor<1, 3>({1, 0, 0});
+  parameters.condition.mortar_matrix = MortarMatrix::lumped;
   test("lumped", parameters, 0.05);
-  parameters.condition.mass = MultiplierMass::consistent;
+  parameters.condition.mortar_matrix = MortarMatrix::consistent;
   test("consistent", parameters, 0.05);
   parameters.condition.points_per_side = 2;
   test("in cells", parameters, 0.1);

@@ -15,6 +15,7 @@
 
 #include <biface/contact/body_section.h>
 #include <biface/contact/body_shapes.h>
+#include <biface/contact/friction.h>
 #include <biface/contact/rigid_body.h>
 #include <biface/input/parameter_tools.h>
 
@@ -87,9 +88,8 @@ namespace Biface
       return on_foundation && !touches_inner_face;
     }
 
-    /** The coefficient of friction: a constant or a formula, see
-     * FrictionLaw. */
-    std::string friction = "0";
+    /** The coefficient of friction; it must not depend on the slip velocity. */
+    FrictionCoefficient friction;
 
     std::vector<BodyMotion> motions;
     /** The stiffnesses of springs by the names of motions. Unit: see

@@ -42,7 +42,7 @@ namespace Biface
   {
   public:
     /** The law of bristles. Both objects are kept by reference.
-     * @param law the coefficient must not depend on the slip velocity. */
+     * @param law its coefficient must not depend on the slip velocity. */
     BristleLaw(const FrictionLaw &law, const ContactCondition &condition)
       : law(law), condition(condition)
     {}
@@ -92,6 +92,14 @@ namespace Biface
       }
     };
 
+    /** The traction on the shell per deflection of a bristle, against it. Unit:
+     * pressure/length. */
+    double
+    tangential_stiffness() const
+    {
+      return law.tangential_stiffness();
+    }
+
     /** The bristles of a line. The pressure is that of the clearance, see
      * ContactCondition. */
     std::vector<Bristle>
@@ -106,8 +114,8 @@ namespace Biface
          const Rolling &rolling,
          Bristle       &bristle) const;
 
-    const FrictionLaw      &law;
-    const ContactCondition &condition;
+    FrictionLaw      law;
+    ContactCondition condition;
   };
 } // namespace Biface
 

@@ -17,9 +17,9 @@ namespace Biface
   using ActiveSet = std::vector<char>;
 
 
-  /** The mass matrix by which the multipliers of an element act on its
-   * nodes. */
-  enum class MultiplierMass
+  /** The mortar matrix of a bilinear element, by which its multipliers act on
+   * its nodes. */
+  enum class MortarMatrix
   {
     /** The mass of bilinear multipliers,
      * @f$M_{rs}=\frac w4\int N_rN_s\,d\xi@f$, as in
@@ -37,11 +37,11 @@ namespace Biface
    * lexicographic numbering of vertices. It maps nodal values of any
    * distributed load to nodal forces. */
   std::array<std::array<double, 4>, 4>
-  multiplier_mass(const MultiplierMass kind, const double weight);
+  mortar_matrix(const MortarMatrix kind, const double weight);
 
 
   /**
-   * The regularized, frictionless contact condition of
+   * The frictionless contact condition, regularized by a penalty stiffness, of
    * @cite GrigolyukKulikovPlotnikova2004, eq. (14.1), at one node of the outer
    * face, with the clearance c left in the deformed state and the multiplier
    * @f$\lambda@f$ (minus the pressure):
@@ -59,10 +59,10 @@ namespace Biface
   public:
     struct Parameters
     {
-      MultiplierMass mass = MultiplierMass::lumped;
-      /** The parameter @f$\varepsilon@f$; if not set, it follows from the
-       * stiffness of the wall. Unit: pressure/length. */
-      std::optional<double> regularization;
+      MortarMatrix mortar_matrix = MortarMatrix::lumped;
+      /** The penalty stiffness @f$\varepsilon@f$; if not set, it follows from
+       * the stiffness of the wall. Unit: pressure/length. */
+      std::optional<double> penalty_stiffness;
 
       /** The number k of @f$k\times k@f$ points of a cell that make contact; 0
        * if the nodes do. */
@@ -81,24 +81,29 @@ namespace Biface
      * wall, of which an @f$\varepsilon@f$ that is not given is a multiple, so
      * that no number with a unit is built in. Unit: pressure/length. */
     ContactCondition(const Parameters &parameters, const double wall_stiffness)
-      : kind(parameters.mass)
-      , regularization(
-          parameters.regularization.value_or(7000 * wall_stiffness))
+      : ContactCondition(
+          parameters.penalty_stiffness.value_or(7000 * wall_stiffness))
+    {}
+
+    /** @param penalty_stiffness the parameter @f$\varepsilon@f$. Unit:
+     * pressure/length. */
+    explicit ContactCondition(const double penalty_stiffness)
+      : epsilon(penalty_stiffness)
     {}
 
     /** The multiplier of an active node. */
     double
     multiplier(const double clearance) const
     {
-      return regularization * clearance;
+      return epsilon * clearance;
     }
 
-    /** Minus the derivative of the multiplier of an active node by its
-     * displacement along the normal of the foundation. */
+    /** The parameter @f$\varepsilon@f$: the derivative of the multiplier of an
+     * active node by its clearance. Unit: pressure/length. */
     double
-    multiplier_stiffness() const
+    penalty_stiffness() const
     {
-      return regularization;
+      return epsilon;
     }
 
     /**
@@ -117,19 +122,12 @@ namespace Biface
     {
       // any kappa > 0 gives the same result if the multiplier is that of the
       // clearance. On a curved foundation, the error of a linearized clearance
-      // times the regularization may be many times the pressure
+      // times the penalty stiffness may be many times the pressure
       return multiplier < 0 || (multiplier == 0 && clearance < 0);
     }
 
-    MultiplierMass
-    mass() const
-    {
-      return kind;
-    }
-
   private:
-    const MultiplierMass kind;
-    const double         regularization;
+    double epsilon;
   };
 } // namespace Biface
 

@@ -3,6 +3,7 @@
 #ifndef biface_contact_contact_state_h
 #define biface_contact_contact_state_h
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
@@ -71,6 +72,33 @@ namespace Biface
     slips(const unsigned int node) const
     {
       return active[node] && statuses[node] == ContactStatus::slip;
+    }
+
+    /** Let all nodes stick that have a stick point, where nothing is known
+     * about the slip: too many slipping nodes have too little stiffness. */
+    void
+    make_slipping_points_stick()
+    {
+      for (ContactStatus &status : statuses)
+        if (status == ContactStatus::slip)
+          status = ContactStatus::stick;
+    }
+
+    /** Let the glued ones of the given nodes forget their stick points,
+     * like nodes that leave the body and enter it again.
+     * @return whether there are any. */
+    bool
+    release_glue(const ActiveSet &nodes)
+    {
+      AssertDimension(nodes.size(), statuses.size());
+      bool any = false;
+      for (unsigned int n = 0; n < nodes.size(); ++n)
+        if (nodes[n] && statuses[n] == ContactStatus::glued)
+          {
+            statuses[n] = ContactStatus::none;
+            any         = true;
+          }
+      return any;
     }
 
     /** Let a node forget its stick point. */

@@ -31,14 +31,81 @@ namespace Biface
   };
 
 
-  /** The law of friction of a shell that rolls. */
-  enum class RollingFriction
+  /** The law of the sliding friction between the ground and a shell that rolls,
+   * which is not its rolling resistance. */
+  enum class FrictionInRolling
   {
     /** Friction by the slip velocity, see SlipVelocityLaw. */
     slip_velocity,
     /** Friction by the deflection of bristles, see BristleLaw. */
     bristles
   };
+
+
+  /** A coefficient of friction: a number, or a formula of the contact pressure
+   * `p` and of the slip velocity `s`, which is 0 unless the shell rolls. Copies
+   * share the formula. */
+  class FrictionCoefficient
+  {
+  public:
+    /** The number 0. */
+    FrictionCoefficient() = default;
+
+    /** @param entry for error messages.
+     *
+     * Throws InputError if the text is neither a number nor a formula that is
+     * finite for some pressure and velocity, or if the number is negative. */
+    FrictionCoefficient(const std::string &entry, const std::string &text);
+
+    /** Whether it is the number 0. */
+    bool
+    is_zero() const
+    {
+      return constant && *constant == 0;
+    }
+
+    /** Whether it depends neither on the pressure nor on the slip velocity. */
+    bool
+    is_constant() const
+    {
+      return constant.has_value();
+    }
+
+    /** Whether it depends on the slip velocity. */
+    bool
+    depends_on_speed() const;
+
+    /** The coefficient; 0 where the formula is negative, and NaN where it is
+     * not finite.
+     * @param speed the slip velocity. */
+    double
+    value(const double pressure, const double speed) const;
+
+    const std::string &
+    get_text() const
+    {
+      return text;
+    }
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      std::string now = text;
+      archive    &now;
+      if (now != text)
+        *this = FrictionCoefficient("Friction", now);
+    }
+
+  private:
+    std::string                    text     = "0";
+    std::optional<double>          constant = 0;
+    std::shared_ptr<const Formula> formula;
+  };
+
+  /** Read a coefficient, see its constructor. */
+  FrictionCoefficient
+  parse_friction(const std::string &entry, const std::string &text);
 
 
   /**
@@ -61,13 +128,13 @@ namespace Biface
   public:
     struct Parameters
     {
-      std::string coefficient = "0";
+      FrictionCoefficient coefficient;
       /** The parameter @f$\varepsilon_t@f$; if not set, it follows from the
        * stiffness of the wall. Unit: pressure/length. */
-      std::optional<double> regularization;
-      RollingFriction       rolling = RollingFriction::slip_velocity;
-      /** The critical velocity, see FrictionLaw::critical_velocity; 0 if not
-       * given. */
+      std::optional<double> tangential_stiffness;
+      FrictionInRolling     in_rolling = FrictionInRolling::slip_velocity;
+      /** The critical velocity, see FrictionLaw::critical_velocity(); 0 if not
+       * given. Unit: length/time. */
       double critical_velocity = 0;
 
       void
@@ -78,61 +145,44 @@ namespace Biface
       check() const;
 
       /** The parameter @f$\varepsilon_t@f$ on a wall of the given stiffness,
-       * see ContactCondition: a hundredth of the @f$\varepsilon@f$ that
-       * follows from it, for far fewer iterations. */
+       * see ShellMesh::wall_stiffness_sideways(): a hundredth of the
+       * @f$\varepsilon@f$ that follows from it, for far fewer iterations. */
       double
-      regularization_on(const double wall_stiffness) const
+      tangential_stiffness_on(const double wall_stiffness) const
       {
-        return regularization.value_or(70 * wall_stiffness);
+        return tangential_stiffness.value_or(70 * wall_stiffness);
       }
-
-      /** The law in a stage.
-       * @param entry of the coefficient of the stage.
-       * @param own the coefficient of the stage; empty for that of these
-       * parameters.
-       * @param wall_stiffness see regularization_on(). */
-      FrictionLaw
-      of_stage(const std::string &entry,
-               const std::string &own,
-               const double       wall_stiffness = 1) const;
     };
 
     /** The law with a coefficient.
-     * @param entry the entry of the coefficient, for error messages.
-     * @param coefficient a number or a formula of the contact pressure `p` and
-     * of the slip velocity `s`, which is 0 unless the shell rolls.
-     * @param regularization the parameter @f$\varepsilon_t@f$.
-     *
-     * Throws InputError if the coefficient is neither, or negative. */
-    FrictionLaw(const std::string &entry,
-                const std::string &coefficient,
-                const double       regularization,
-                const double       critical_velocity = 0);
+     * @param tangential_stiffness the parameter @f$\varepsilon_t@f$. Unit:
+     * pressure/length.
+     * @param critical_velocity the parameter @f$s_c@f$ of SlipVelocityLaw. */
+    FrictionLaw(const FrictionCoefficient &coefficient,
+                const double               tangential_stiffness,
+                const double               critical_velocity = 0)
+      : coefficient(coefficient)
+      , epsilon_t(tangential_stiffness)
+      , s_c(critical_velocity)
+    {}
 
     /** The law with another critical velocity. */
     FrictionLaw
     with_critical_velocity(const double velocity) const
     {
-      return FrictionLaw(*this, velocity, part);
+      FrictionLaw law = *this;
+      law.s_c         = velocity;
+      return law;
     }
 
     /** The law with a part of the coefficient. */
     FrictionLaw
     with_part_of_friction(const double further_part) const
     {
-      return FrictionLaw(*this, critical_velocity, part * further_part);
+      FrictionLaw law = *this;
+      law.part *= further_part;
+      return law;
     }
-
-    /** Whether the coefficient is the number 0. */
-    bool
-    is_zero() const
-    {
-      return constant && *constant == 0;
-    }
-
-    /** Whether the coefficient depends on the slip velocity. */
-    bool
-    depends_on_speed() const;
 
     /** The maximum traction @f$\tau@f$, with its derivatives by the pressure
      * and the slip velocity. */
@@ -152,7 +202,7 @@ namespace Biface
     dealii::Tensor<1, 3>
     trial(const dealii::Tensor<1, 3> &elastic_slip) const
     {
-      return -regularization * elastic_slip;
+      return -epsilon_t * elastic_slip;
     }
 
     /** The part @f$\mathbf s@f$ of the slip that belongs to a traction. Unit:
@@ -160,15 +210,22 @@ namespace Biface
     dealii::Tensor<1, 3>
     elastic_slip(const dealii::Tensor<1, 3> &traction) const
     {
-      return -1 / regularization * traction;
+      return -1 / epsilon_t * traction;
     }
 
-    /** Minus the derivative of the trial traction by @f$\mathbf s@f$, the
-     * parameter @f$\varepsilon_t@f$. Unit: pressure/length. */
+    /** The parameter @f$\varepsilon_t@f$: minus the derivative of the trial
+     * traction by @f$\mathbf s@f$. Unit: pressure/length. */
     double
-    stiffness() const
+    tangential_stiffness() const
     {
-      return regularization;
+      return epsilon_t;
+    }
+
+    /** The parameter @f$s_c@f$ of SlipVelocityLaw. Unit: length/time. */
+    double
+    critical_velocity() const
+    {
+      return s_c;
     }
 
     /** Whether a node slips in the next iteration, for the trial traction and
@@ -190,35 +247,16 @@ namespace Biface
     Slip
     slip(const dealii::Tensor<1, 3> &trial, const double pressure) const;
 
-    /** The parameter @f$s_c@f$ of SlipVelocityLaw. */
-    const double critical_velocity;
-
   private:
-    FrictionLaw(const FrictionLaw &other,
-                const double       critical_velocity,
-                const double       part)
-      : critical_velocity(critical_velocity)
-      , coefficient(other.coefficient)
-      , constant(other.constant)
-      , regularization(other.regularization)
-      , part(part)
-    {}
-
     /** The maximum traction without derivatives, see limit(). */
     double
     value(const double pressure, const double speed) const;
 
-    std::shared_ptr<const Formula> coefficient;
-    std::optional<double>          constant;
-    const double                   regularization;
+    FrictionCoefficient coefficient;
+    double              epsilon_t, s_c;
     /** The part of the coefficient that counts. */
-    const double part = 1;
+    double part = 1;
   };
-
-
-  /** Check a coefficient of friction, see FrictionLaw. */
-  void
-  check_friction(const std::string &entry, const std::string &coefficient);
 } // namespace Biface
 
 #endif

@@ -24,12 +24,6 @@ namespace Biface
     {}
 
     bool
-    has_friction() const override
-    {
-      return true;
-    }
-
-    bool
     acts_on(const ContactState &state, const unsigned int node) const override
     {
       return state.statuses[node] != ContactStatus::none;

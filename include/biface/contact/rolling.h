@@ -134,7 +134,7 @@ namespace Biface
     bool
     slips(const dealii::Tensor<1, 3> &slip) const
     {
-      return slip.norm() > law.critical_velocity;
+      return slip.norm() > law.critical_velocity();
     }
 
   private:

@@ -7,7 +7,6 @@
 #include <deal.II/base/tensor.h>
 
 #include <array>
-#include <memory>
 #include <optional>
 
 #include <biface/contact/contact_state.h>
@@ -16,8 +15,6 @@
 
 namespace Biface
 {
-  class BristleLaw;
-
   /** A point of a face where it may touch a rigid body. */
   struct PointInContact
   {
@@ -88,22 +85,15 @@ namespace Biface
   };
 
 
-  /** The law by which a body holds the nodes in contact sideways; this base
-   * class is that without friction. */
+  /** The law by which a body holds the nodes in contact sideways, each for
+   * itself; this base class is that without friction. */
   class TangentialLaw
   {
   public:
     virtual ~TangentialLaw() = default;
 
-    /** Whether there can be tangential tractions. */
-    virtual bool
-    has_friction() const
-    {
-      return false;
-    }
-
-    /** Whether tangential tractions follow from the velocity with which a
-     * rolling shell slips, rather than from displacements. */
+    /** Whether the tractions follow from the velocity with which a rolling
+     * shell slips, rather than from displacements. */
     virtual bool
     depends_on_velocity() const
     {
@@ -169,43 +159,6 @@ namespace Biface
                  const unsigned int /*node*/) const
     {
       return {};
-    }
-
-    /** The law of the bristles on the lines of flow from which the tractions
-     * follow, all at once, and their stiffness; null if each node has a
-     * traction of its own. */
-    virtual const BristleLaw *
-    bristles() const
-    {
-      return nullptr;
-    }
-
-    virtual double
-    stiffness_of_bristles() const
-    {
-      return 0;
-    }
-
-    /** The critical velocity of a law that has one. */
-    virtual std::optional<double>
-    critical_velocity() const
-    {
-      return {};
-    }
-
-    /** The law with another critical velocity; null for a law that has none. */
-    virtual std::shared_ptr<const TangentialLaw>
-    with_critical_velocity(const double /*velocity*/) const
-    {
-      return nullptr;
-    }
-
-    /** The law of bristles with a part of the coefficient of friction; null for
-     * others. */
-    virtual std::shared_ptr<const TangentialLaw>
-    with_part_of_friction(const double /*part*/) const
-    {
-      return nullptr;
     }
   };
 } // namespace Biface

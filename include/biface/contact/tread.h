@@ -54,7 +54,7 @@ namespace Biface
     tangential_stiffness() const;
 
     /** The parameters of contact or friction with the tread, if there is one:
-     * it replaces an automatic regularization, and is in series with a given
+     * it replaces an automatic penalty stiffness, and is in series with a given
      * one. */
     ContactCondition::Parameters
     with_tread(ContactCondition::Parameters condition) const;

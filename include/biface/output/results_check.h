@@ -86,7 +86,7 @@ namespace Biface
     };
 
     Penetration
-    largest_penetration(const State &state) const;
+    largest_penetration(const State &state, const Loads &loads) const;
 
     std::array<unsigned int, 2>
     lines_in_contact(const State &state) const;

@@ -6,6 +6,7 @@
 #include <ostream>
 #include <vector>
 
+#include <biface/model/contact/contact_summary.h>
 #include <biface/model/mesh/named_points.h>
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/state/state.h>

@@ -27,11 +27,11 @@ namespace Biface
    * stresses of the equilibrium.
    *
    * The nodes in contact are held along the normal of the body by the
-   * regularization of the contact condition, with the lumped multiplier mass,
+   * penalty stiffness of the contact condition, with the lumped mortar matrix,
    * so that contact never makes the tangent unsymmetric. With friction, they
    * also stick to the body; see TangentialLaw::hold(). While
    * the shell rolls, the whole tangent of the contact is part of it instead:
-   * friction follows from the slip velocity, needs the lumped multiplier mass,
+   * friction follows from the slip velocity, needs the lumped mortar matrix,
    * and makes the tangent unsymmetric.
    */
   class HeldTangent

@@ -26,6 +26,8 @@ namespace Biface
     unsigned int n_heat_rounds = 0;
     /** Whether the attempt has left the path for another branch. */
     bool to_branch = false;
+    /** How often the step was halved before. */
+    unsigned int n_cuts = 0;
   };
 
 
@@ -41,16 +43,16 @@ namespace Biface
 
 
   /** Attempt a step by Newton's method.
-   * @param law the tangential law in place of that of the stage. */
+   * @param laws those of the foundation in place of those of the stage. */
   Attempt
-  attempt_step(Newton                                     &newton,
-               const StageRun                             &run,
-               const Control::Trial                       &trial,
-               const InitialGuess                         &guess,
-               const NewtonIteration                       iteration,
-               const std::shared_ptr<const TangentialLaw> &law);
+  attempt_step(Newton               &newton,
+               const StageRun       &run,
+               const Control::Trial &trial,
+               const InitialGuess   &guess,
+               const NewtonIteration iteration,
+               const ContactLaws    &laws);
 
-  /** Attempt a step by Newton's method with the tangential law of the stage. */
+  /** Attempt a step by Newton's method with the laws of the stage. */
   inline Attempt
   attempt_step(Newton               &newton,
                const StageRun       &run,
@@ -58,7 +60,7 @@ namespace Biface
                const InitialGuess   &guess,
                const NewtonIteration iteration)
   {
-    return attempt_step(newton, run, trial, guess, iteration, run.law);
+    return attempt_step(newton, run, trial, guess, iteration, run.laws);
   }
 } // namespace Biface
 

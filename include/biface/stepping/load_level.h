@@ -41,6 +41,11 @@ namespace Biface
     Value<double> ground_velocity{};
     Value<double> slip_angle{};
 
+    /** The number of stages whose contact has another stiffness than that of
+     * the stage before, up to now: in such a stage, its part. See
+     * StageRun::loads_at(). */
+    Value<double> changes_of_stiffness{};
+
     /** The time since the start, and the temperature of the shell. */
     Value<double> time{};
     Value<double> temperature{};
@@ -74,6 +79,7 @@ namespace Biface
     function(first.angular_velocity, levels.angular_velocity...);
     function(first.ground_velocity, levels.ground_velocity...);
     function(first.slip_angle, levels.slip_angle...);
+    function(first.changes_of_stiffness, levels.changes_of_stiffness...);
     function(first.time, levels.time...);
     function(first.temperature, levels.temperature...);
   }

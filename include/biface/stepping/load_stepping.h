@@ -59,7 +59,8 @@ namespace Biface
   /**
    * Takes the shell through its stages in steps proposed by the Control of each
    * stage. A failed step is tried again from the restored state: after the
-   * mixed iteration first with the substituted one, then with half the size.
+   * mixed iteration first with the substituted one, then, with friction, with
+   * nodes that stick at first, then with half the size.
    * The last attempt of a wheel that rolls with friction starts from larger
    * critical velocities. After a success the size doubles again, up to the
    * remainder of the step of the stage, or beyond it with adaptive steps.

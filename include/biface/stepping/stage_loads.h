@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include <biface/contact/contact_laws.h>
 #include <biface/stepping/load_level.h>
 
 namespace Biface
@@ -77,11 +78,9 @@ namespace Biface
     std::optional<double> slip_ratio;
     /** The names of the bodies that are there beside the foundation. */
     std::vector<std::string> bodies;
-    /** The coefficient of friction, see FrictionLaw; empty for that of the
+    /** The laws of contact of the stage, where they are not those of the
      * section 'Contact'. */
-    std::string friction;
-    /** Whether the nodes in contact at the start of the stage cannot slip. */
-    bool glued = false;
+    ContactLawsOfStage laws;
     /** The duration of the stage, from which the time at its end follows. Unit:
      * time. */
     double duration = 0;
@@ -124,7 +123,10 @@ namespace Biface
         [&archive](auto &load) { serialize_optional(archive, load); }, *this);
       archive &names_of_factors;
       serialize_optional(archive, slip_ratio);
-      archive &sealed &damping &contact &bodies &friction &glued &duration;
+      serialize_optional(archive, laws.friction);
+      serialize_optional(archive, laws.penalty_stiffness);
+      serialize_optional(archive, laws.tangential_stiffness);
+      archive &sealed &damping &contact &bodies &laws.glued &duration;
     }
 
   private:

@@ -52,13 +52,16 @@ namespace Biface
     Loads
     loads_at(const LoadLevel &level) const
     {
-      return loads_at(level, law);
+      return loads_at(level, laws);
     }
 
-    /** The loads at a level, with another tangential law of the foundation. */
+    /** The loads at a level, with other laws of the foundation.
+     *
+     * Where the penalty stiffness of a stage differs from that of the stage
+     * before, its inverse changes evenly between both, and with it the
+     * penetration. */
     Loads
-    loads_at(const LoadLevel                            &level,
-             const std::shared_ptr<const TangentialLaw> &law) const;
+    loads_at(const LoadLevel &level, const ContactLaws &laws) const;
 
     /** The equilibrium from which the next step starts. */
     Control::Equilibrium
@@ -84,20 +87,24 @@ namespace Biface
     Progress          &progress;
     State             &state;
 
-    /** The description of the stage, see Progress::complete(). */
+    /** The description of the stage, see Progress::complete(), with the change
+     * of the stiffness of contact. */
     const Stage                    stage;
     const std::unique_ptr<Control> control;
     /** Whether the shell rolls in the stage, see Stage::rolls(). */
     const bool rolls;
-    /** The tangential law by which the foundation holds the nodes sideways, if
-     * there is one. */
-    const std::shared_ptr<const TangentialLaw> law;
-    /** The tangential laws of the bodies that are there, by
-     * ContactPair::number. */
-    const std::map<unsigned int, std::shared_ptr<const TangentialLaw>>
-      laws_of_bodies;
+    /** The laws of the foundation, if there is one, at the end of the stage. */
+    const ContactLaws laws;
+    /** The laws of the bodies that are there, by ContactPair::number. */
+    const std::map<unsigned int, ContactLaws> laws_of_bodies;
 
   private:
+    /** The laws of a pair at a level. */
+    ContactLaws
+    at_level(const LoadLevel   &level,
+             const unsigned int number,
+             const ContactLaws &at_end) const;
+
     /** The place of the foundation, or of a body on it, after the motions of
      * the foundation.
      * @param body after its travel or its own motions.
@@ -109,11 +116,20 @@ namespace Biface
     void
     check_bodies() const;
 
+    /** Let nodes that stick keep their tractions where the stage has another
+     * tangential stiffness than the stage before. */
+    void
+    keep_tangential_tractions() const;
+
     Loads
     loads_without_contact(const LoadLevel &level) const;
 
     ShellEquations::Unbalance
     start_from_prestress();
+
+    /** The stage from whose end this one starts; none if it starts undeformed.
+     */
+    const std::optional<Stage> before;
   };
 } // namespace Biface
 

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include <biface/model/contact/contact_summary.h>
 #include <biface/model/forces/nodal_forces.h>
 #include <biface/model/heat/rolling_heat.h>
 #include <biface/model/quantities/footprint.h>
@@ -83,6 +84,8 @@ namespace Biface
      * moved, in one way, since the start of the stage. */
     std::optional<StepStiffness> stiffness;
     unsigned int                 iterations = 0;
+    /** How often the step was halved. */
+    unsigned int n_cuts = 0;
     /** The relative residuals before each iteration and after the last. */
     std::vector<double> residuals;
     /** The exact number of negative pivots, see

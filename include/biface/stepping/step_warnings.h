@@ -33,13 +33,18 @@ namespace Biface
     void
     warn_of_large_cells(const StageRun &run, const Loads &loads);
 
+    /** Warn of steep sides that hold nodes in a step that was halved: the shell
+     * may have several equilibria there. */
+    void
+    warn_of_steep_sides(const StageRun &run, const StepReport &report);
+
     /** Warn of a convex foundation on whose far side nodes are. */
     void
     warn_of_pull(const StageRun &run, const StepReport &report);
 
     dealii::ConditionalOStream &out;
     std::set<std::string>       warned_of_pierced_nodes, warned_of_large_cells,
-      warned_of_pull;
+      warned_of_pull, warned_of_steep_sides;
   };
 } // namespace Biface
 

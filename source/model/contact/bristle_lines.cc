@@ -144,7 +144,7 @@ namespace Biface
                                 grid_lines[lower + 1] - grid_lines[lower]));
           line.nodes.push_back(found->second);
         }
-      line.bristles = body.law->bristles()->deflections(line.stations, rolling);
+      line.bristles = law().deflections(line.stations, rolling);
       lines.push_back(std::move(line));
     };
 
@@ -208,7 +208,7 @@ namespace Biface
     Tensor<1, 3> force;
     if (line.nodes[j].touches)
       for (unsigned int c = 0; c < 2; ++c)
-        force -= line.nodes[j].area * body.law->stiffness_of_bristles() *
+        force -= line.nodes[j].area * law().tangential_stiffness() *
                  line.bristles[j].deflection[c] * line.stations[j].tangents[c];
     return force;
   }
@@ -233,7 +233,7 @@ namespace Biface
         if (i == j)
           derivative += bristle.deflection[c] * station.tangent_gradients[c];
       }
-    return -line.nodes[j].area * body.law->stiffness_of_bristles() * derivative;
+    return -line.nodes[j].area * law().tangential_stiffness() * derivative;
   }
 
 
@@ -251,7 +251,7 @@ namespace Biface
       for (unsigned int i = line.bristles[j].first; i <= j; ++i)
         rate += force_derivative(line, j, i) * motion;
     for (unsigned int c = 0; c < 2; ++c)
-      rate -= line.nodes[j].area * body.law->stiffness_of_bristles() *
+      rate -= line.nodes[j].area * law().tangential_stiffness() *
               rates.angular_velocity *
               line.bristles[j].per_angular_velocity[c] *
               line.stations[j].tangents[c];
@@ -269,7 +269,7 @@ namespace Biface
           return;
         const BristleLaw::Bristle &bristle = line.bristles[j];
         const double               stiffness =
-          line.nodes[j].area * body.law->stiffness_of_bristles();
+          line.nodes[j].area * law().tangential_stiffness();
         // with the mean of the segment, its work is all stored or lost
         Tensor<1, 2> mean = bristle.deflection;
         if (j > 0)

@@ -76,7 +76,7 @@ namespace Biface
               }
           }
         // of a law that has points at the nodes
-        if (contact.body(at.loads)->law->depends_on_velocity())
+        if (contact.body(at.loads)->laws.tangential().depends_on_velocity())
           add_neighbor(at.cell, i, traction, forces.tangent);
       }
   }
@@ -121,8 +121,8 @@ namespace Biface
                                     const Loads &loads,
                                     LA::Vector  &nodal_forces) const
   {
-    if (contact.has_bristles(loads))
-      contact.bristle_lines(state, loads).add_forces(nodal_forces);
+    if (const auto lines = contact.bristle_lines(state, loads))
+      lines->add_forces(nodal_forces);
   }
 
 
@@ -131,8 +131,8 @@ namespace Biface
                                const Loads           &loads,
                                std::vector<Coupling> &couplings) const
   {
-    if (contact.has_bristles(loads))
-      contact.bristle_lines(state, loads).add_couplings(couplings);
+    if (const auto lines = contact.bristle_lines(state, loads))
+      lines->add_couplings(couplings);
   }
 
 
@@ -143,9 +143,8 @@ namespace Biface
     const LoadRates &rates,
     LA::Vector      &nodal_forces) const
   {
-    if (contact.has_bristles(loads))
-      contact.bristle_lines(state, loads)
-        .add_load_derivative(rates, nodal_forces);
+    if (const auto lines = contact.bristle_lines(state, loads))
+      lines->add_load_derivative(rates, nodal_forces);
   }
 
 

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_summary.h>
 
 namespace Biface
 {
@@ -183,7 +185,7 @@ namespace Biface
     for (const auto &pair : pairs)
       if (pair.get() != &ground() &&
           Utilities::MPI::logical_or(
-            pair->was_passed(before, loads_before, after, loads_after),
+            was_passed(*pair, before, loads_before, after, loads_after),
             mesh.communicator))
         return pair->name;
     return {};
@@ -202,10 +204,10 @@ namespace Biface
 
 
   void
-  ContactInteraction::let_stick(State &state) const
+  ContactInteraction::make_slipping_points_stick(State &state) const
   {
-    for (const auto &pair : pairs)
-      pair->let_stick(state);
+    for (ContactState &zone : state.contacts)
+      zone.make_slipping_points_stick();
   }
 
 
@@ -214,7 +216,7 @@ namespace Biface
   {
     bool any = false;
     for (const auto &pair : pairs)
-      any = pair->release_glue(state, part_of(nodes, *pair)) || any;
+      any = pair->state_of(state).release_glue(part_of(nodes, *pair)) || any;
     return Utilities::MPI::logical_or(any, mesh.communicator);
   }
 
@@ -222,8 +224,9 @@ namespace Biface
   unsigned int
   ContactInteraction::count_active(const State &state) const
   {
-    return sum_of_pairs(
-      *this, [&](const ContactPair &pair) { return pair.count_active(state); });
+    return sum_of_pairs(*this, [&](const ContactPair &pair) {
+      return Biface::count_active(pair, state);
+    });
   }
 
 
@@ -232,7 +235,7 @@ namespace Biface
                                      const Loads &loads) const
   {
     return sum_of_pairs(*this, [&](const ContactPair &pair) {
-      return pair.count_slipping(state, loads);
+      return Biface::count_slipping(pair, state, loads);
     });
   }
 } // namespace Biface

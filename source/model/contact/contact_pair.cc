@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 
 #include <biface/base/errors.h>
-#include <biface/contact/friction_by_bristles.h>
-#include <biface/contact/friction_by_slip_velocity.h>
-#include <biface/contact/friction_with_history.h>
 #include <biface/model/contact/contact_pair.h>
 
 namespace Biface
@@ -142,19 +135,20 @@ namespace Biface
     , name("foundation")
     , face(parameters.face)
     , tread(parameters.tread)
-    , condition(tread.with_tread(parameters.condition), mesh.wall_stiffness())
-    , points(mesh, face, parameters.condition.points_per_side, condition.mass())
+    , mortar_matrix(parameters.condition.mortar_matrix)
+    , points(mesh, face, parameters.condition.points_per_side, mortar_matrix)
+    , moving_body(RigidBody(parameters.body), tread)
     , flow_lines(mesh)
-    , body_at_rest(parameters.body)
-    , friction_parameters(tread.with_tread(parameters.friction))
+    , condition_parameters(parameters.condition)
+    , friction_parameters(parameters.friction)
   {}
 
 
   namespace
   {
     FrictionLaw::Parameters
-    with_coefficient(FrictionLaw::Parameters friction,
-                     const std::string      &coefficient)
+    with_coefficient(FrictionLaw::Parameters    friction,
+                     const FrictionCoefficient &coefficient)
     {
       friction.coefficient = coefficient;
       return friction;
@@ -171,62 +165,81 @@ namespace Biface
     , name(body.name)
     , face(body.touches_inner_face ? Resultants::inner : Resultants::outer)
     , tread(body.touches_tread() ? ground.tread : TreadParameters())
-    , condition(tread.with_tread(ground.condition), mesh.wall_stiffness())
-    , points(mesh, face, ground.condition.points_per_side, condition.mass())
+    , mortar_matrix(ground.condition.mortar_matrix)
+    , points(mesh, face, ground.condition.points_per_side, mortar_matrix)
+    , moving_body(body, tread)
     , flow_lines(mesh)
-    , body_at_rest(body.make().behind(tread.height.value_or(0)))
-    , friction_parameters(
-        tread.with_tread(with_coefficient(ground.friction, body.friction)))
-    , other_body(body)
+    , condition_parameters(ground.condition)
+    , friction_parameters(with_coefficient(ground.friction, body.friction))
   {}
 
 
-  RigidBody
-  ContactPair::taken_along(const RigidBody &body, const double travel) const
+  ContactLaws
+  ContactPair::laws(const ContactLawsOfStage &of_stage, const bool rolls) const
   {
-    // the ground itself is below the tread
-    BodyMotion motion;
-    motion.translation = -body_at_rest.direction();
-    motion.factor      = BodyMotion::travel_of_foundation;
-    const double moved = travel - tread.height.value_or(0);
-    return body.after_motions(
-      {motion},
-      [&](const unsigned int) { return moved; },
-      body_at_rest.direction(),
-      Point<3>());
-  }
+    ContactCondition::Parameters across   = condition_parameters;
+    FrictionLaw::Parameters      sideways = friction_parameters;
+    if (of_stage.penalty_stiffness)
+      across.penalty_stiffness = of_stage.penalty_stiffness;
+    if (of_stage.friction)
+      sideways.coefficient = *of_stage.friction;
+    const ContactCondition condition(tread.with_tread(across),
+                                     mesh.wall_stiffness());
+    if (sideways.coefficient.is_zero() && !of_stage.glued)
+      return ContactLaws(condition);
 
-
-  RigidBody
-  ContactPair::body_at(
-    const std::vector<double>                         &factors,
-    const std::function<RigidBody(const RigidBody &)> &with_foundation) const
-  {
-    Assert(other_body, ExcInternalError());
-    const RigidBody body = body_at_rest.after_motions(
-      other_body->motions,
-      [&](const unsigned int position) { return factor_at(factors, position); },
-      other_body->axis / other_body->axis.norm(),
-      other_body->point);
-    return moves_with_foundation() ? with_foundation(body) : body;
-  }
-
-
-  std::shared_ptr<const TangentialLaw>
-  ContactPair::law(const std::string &entry,
-                   const std::string &coefficient,
-                   const bool         glued,
-                   const bool         rolls) const
-  {
-    const FrictionLaw law =
-      friction_parameters.of_stage(entry, coefficient, mesh.wall_stiffness());
-    if (law.is_zero() && !glued)
-      return std::make_shared<const TangentialLaw>();
-    if (rolls && friction_parameters.rolling == RollingFriction::bristles)
-      return std::make_shared<const FrictionByBristles>(law, condition);
+    FrictionKind kind =
+      (of_stage.glued ? FrictionKind::glued : FrictionKind::with_history);
     if (rolls)
-      return std::make_shared<const FrictionBySlipVelocity>(law, condition);
-    return std::make_shared<const FrictionWithHistory>(law, condition, glued);
+      kind = (sideways.in_rolling == FrictionInRolling::bristles
+                ? FrictionKind::by_bristles
+                : FrictionKind::by_slip_velocity);
+    return ContactLaws(condition,
+                       FrictionLaw(sideways.coefficient,
+                                   tangential_stiffness(of_stage),
+                                   sideways.critical_velocity),
+                       kind);
+  }
+
+
+  double
+  ContactPair::tangential_stiffness(const ContactLawsOfStage &of_stage) const
+  {
+    FrictionLaw::Parameters sideways = friction_parameters;
+    if (of_stage.tangential_stiffness)
+      sideways.tangential_stiffness = of_stage.tangential_stiffness;
+    return tread.with_tread(sideways).tangential_stiffness_on(
+      mesh.wall_stiffness_sideways());
+  }
+
+
+  std::optional<BristleLines>
+  ContactPair::bristle_lines(const State &state, const Loads &loads) const
+  {
+    const PlacedBody *placed = body(loads);
+    if (!placed || !placed->laws.bristles() || !loads.rolling)
+      return {};
+    return BristleLines(
+      mesh, flow_lines, face, state, state_of(state), *placed, *loads.rolling);
+  }
+
+
+  void
+  ContactPair::keep_tangential_tractions(State       &state,
+                                         const Loads &loads,
+                                         const double ratio) const
+  {
+    ContactState &zone = state_of(state);
+    for (unsigned int n = 0; n < points.size(); ++n)
+      if (zone.active[n] && zone.statuses[n] != ContactStatus::none)
+        {
+          const PointInContact at    = at_point(state, loads, n);
+          const Tensor<1, 3>  &n_at  = at.at_body.normal;
+          const Point<3>       stick = at.body.present(zone.stick_points[n]);
+          const Tensor<1, 3>   slip  = at.x - stick;
+          zone.stick_points[n]       = at.body.at_rest(
+            stick + (1 - ratio) * (slip - (n_at * slip) * n_at));
+        }
   }
 
 
@@ -243,180 +256,14 @@ namespace Biface
     if (const auto &stencil = flow_lines.at(point))
       {
         const double per_neighbor = stencil->per_neighbor();
-        at.particle               = {*loads.rolling,
-                                     per_neighbor *
-                                       (position(state, mesh.nodes[stencil->neighbors[1]]) -
-                          position(state, mesh.nodes[stencil->neighbors[0]])),
-                                     per_neighbor};
+        at.particle               = {
+                        *loads.rolling,
+                        per_neighbor *
+                          (points.position(state.displacement, stencil->neighbors[1]) -
+             points.position(state.displacement, stencil->neighbors[0])),
+                        per_neighbor};
       }
     return at;
-  }
-
-
-  double
-  ContactPair::touching_travel(const State &state) const
-  {
-    const double travel = minimum_travel(state, body_at_rest);
-    if (travel == std::numeric_limits<double>::infinity())
-      throw InputError("the foundation of the section 'Contact' misses the "
-                       "shell; its path must meet a node.");
-
-    // the shell may not fit into a hollow body
-    const RigidBody touching = body_at(travel);
-    bool            fits     = std::isfinite(travel);
-    for (unsigned int n = 0; n < points.size(); ++n)
-      if (points.may_touch(n))
-        fits =
-          fits && touching.clearance(points.position(state.displacement, n)) >
-                    -1e-9 * mesh.size();
-    if (Utilities::MPI::logical_or(!fits, mesh.communicator))
-      throw InputError("the shell does not fit into the hollow foundation of "
-                       "the section 'Contact'.");
-    return travel;
-  }
-
-
-  Point<3>
-  ContactPair::touched_point(const State &state,
-                             const double touching_travel) const
-  {
-    // nodes that would touch together but for round-off
-    const double tolerance = 1e-6 * mesh.thickness();
-
-    std::vector<double> sums(4);
-    for (unsigned int n = 0; n < points.size(); ++n)
-      {
-        if (!points.may_touch(n) || !points.is_owned(n))
-          continue;
-        const Point<3> x = points.position(state.displacement, n);
-        if (body_at_rest.travel_to(x) > touching_travel + tolerance)
-          continue;
-        for (unsigned int i = 0; i < 3; ++i)
-          sums[i] += x[i];
-        sums[3] += 1;
-      }
-    Utilities::MPI::sum(sums, mesh.communicator, sums);
-    return Point<3>(sums[0], sums[1], sums[2]) / sums[3];
-  }
-
-
-  ActiveSet
-  ContactPair::pierced_nodes(const State &state, const Loads &loads) const
-  {
-    const double small = 1e-3 * mesh.thickness();
-    ActiveSet    pierced(mesh.nodes.size(), 0);
-    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
-      pierced[n] =
-        (!mesh.nodes[n].face_is_free[face] &&
-         body(loads)->body.clearance(position(state, mesh.nodes[n])) < -small);
-    return pierced;
-  }
-
-
-  double
-  ContactPair::penetration(const State &state, const Loads &loads) const
-  {
-    double deepest = 0;
-    for (unsigned int n = 0; n < points.size(); ++n)
-      if (points.may_touch(n))
-        deepest = std::max(deepest, -clearance(state, loads, n));
-    return Utilities::MPI::max(deepest, mesh.communicator);
-  }
-
-
-  bool
-  ContactPair::was_passed(const State &before,
-                          const Loads &loads_before,
-                          const State &after,
-                          const Loads &loads_after) const
-  {
-    const double small = 1e-3 * mesh.thickness();
-    // the cosine of 120 degrees; the sides of a corner may be orthogonal
-    constexpr double opposite = -0.5;
-    if (!body(loads_before) || !body(loads_after))
-      return false;
-    const RigidBody &start = body(loads_before)->body,
-                    &end   = body(loads_after)->body;
-    for (unsigned int n = 0; n < points.size(); ++n)
-      {
-        if (!points.may_touch(n))
-          continue;
-        const Point<3> from = points.position(before.displacement, n),
-                       to   = points.position(after.displacement, n);
-        double d            = start.clearance(from);
-        if (d <= small)
-          {
-            // from contact to the other side
-            if (start.evaluate(from).normal * end.evaluate(to).normal <
-                opposite)
-              return true;
-            continue;
-          }
-        const Point<3>     rest   = start.at_rest(from);
-        const Tensor<1, 3> way    = end.at_rest(to) - rest;
-        const double       length = way.norm();
-        if (length <= d + std::max(0., end.clearance(to)))
-          continue;
-        const auto at = [&](const double part) {
-          return start.evaluate(start.present(rest + part * way));
-        };
-        // the clearance bounds the way to the surface
-        double done = d;
-        while (done < length && d > -small)
-          {
-            d = at(done / length).clearance;
-            done += std::max(d, small);
-          }
-        // a node may enter and end on the same side
-        if (d <= -small &&
-            at(std::min(1., done / length)).normal * at(1).normal < 0)
-          return true;
-      }
-    return false;
-  }
-
-
-  double
-  ContactPair::remaining_travel(const State &state, const Loads &loads) const
-  {
-    return minimum_travel(state, body(loads)->body);
-  }
-
-
-  double
-  ContactPair::way_to_shell(const State     &state,
-                            const Loads     &loads,
-                            const LoadRates &direction,
-                            const double     depth) const
-  {
-    // the sine of the angle to the surface
-    constexpr double glancing = 1e-3;
-
-    const RigidBody &body = this->body(loads)->body;
-    double           way  = std::numeric_limits<double>::infinity();
-    for (unsigned int n = 0; n < points.size(); ++n)
-      if (points.may_touch(n))
-        {
-          const Point<3>     x        = points.position(state.displacement, n);
-          const BodyPoint    at       = body.evaluate(x);
-          const Tensor<1, 3> velocity = direction.velocity_of(body, x);
-          const double       approach = -(at.normal * velocity);
-          if (approach > glancing * velocity.norm())
-            way = std::min(way, (at.clearance + depth) / approach);
-        }
-    return Utilities::MPI::min(way, mesh.communicator);
-  }
-
-
-  double
-  ContactPair::minimum_travel(const State &state, const RigidBody &body) const
-  {
-    double minimum = std::numeric_limits<double>::infinity();
-    for (unsigned int n = 0; n < points.size(); ++n)
-      if (points.may_touch(n))
-        minimum = std::min(
-          minimum, body.travel_to(points.position(state.displacement, n)));
-    return Utilities::MPI::min(minimum, mesh.communicator);
   }
 
 
@@ -432,11 +279,11 @@ namespace Biface
     unsigned int      n_changes = 0;
     for (unsigned int n = 0; n < points.size(); ++n)
       {
-        const Tensor<1, 3> last = zone.multipliers[n];
-        const bool         active =
-          placed && points.may_touch(n) &&
-          ((!held.empty() && held[n]) ||
-           condition.should_be_active(last[0], clearance(state, loads, n)));
+        const Tensor<1, 3> last   = zone.multipliers[n];
+        const bool         active = placed && points.may_touch(n) &&
+                            ((!held.empty() && held[n]) ||
+                             placed->laws.condition().should_be_active(
+                               last[0], clearance(state, loads, n)));
         if (active != static_cast<bool>(zone.active[n]))
           {
             zone.active[n] = active;
@@ -446,15 +293,14 @@ namespace Biface
         zone.multipliers[n] = 0;
         if (!active)
           continue;
-        // a node that enters has none until the next linear system is solved,
-        // section 7 of doc/theory.md
-        zone.multipliers[n][0] = last[0];
-        if (!placed->law->acts_on(zone, n))
+        zone.multipliers[n][0]   = last[0];
+        const TangentialLaw &law = placed->laws.tangential();
+        if (!law.acts_on(zone, n))
           continue;
         const PointInContact at = at_point(state, loads, n);
-        if (placed->law->decide(zone, at, last) && points.is_owned(n))
+        if (law.decide(zone, at, last) && points.is_owned(n))
           ++n_changes;
-        set_tangential_multipliers(state, *placed->law, at);
+        set_tangential_multipliers(state, law, at);
       }
     set_multipliers_of_bristles(state, loads);
     return n_changes;
@@ -487,19 +333,20 @@ namespace Biface
                                    const Linearizations &before) const
   {
     AssertDimension(before.size(), points.size());
-    ContactState &zone = state_of(state);
+    const PlacedBody *placed = body(loads);
+    ContactState     &zone   = state_of(state);
     for (unsigned int n = 0; n < points.size(); ++n)
-      if (body(loads) && zone.active[n])
+      if (placed && zone.active[n])
         {
           const Point<3>     x      = points.position(state.displacement, n);
           const Tensor<1, 3> motion = x - before[n].position;
-          zone.multipliers[n][0]    = condition.multiplier(
+          zone.multipliers[n][0]    = placed->laws.condition().multiplier(
             before[n].clearance -
             before[n].normal * (motion - before[n].of_body));
-          if (!body(loads)->law->acts_on(zone, n))
+          if (!placed->laws.tangential().acts_on(zone, n))
             continue;
           // the same traction, with the tangents at the new place
-          const RigidBody   &now      = body(loads)->body;
+          const RigidBody   &now      = placed->body;
           const auto         old      = now.tangents(before[n].normal);
           const auto         tangents = now.tangents(now.evaluate(x).normal);
           const Tensor<1, 3> traction =
@@ -515,11 +362,12 @@ namespace Biface
   unsigned int
   ContactPair::settle(State &state, const Loads &loads) const
   {
-    if (body(loads))
+    if (const PlacedBody *placed = body(loads))
       for (unsigned int n = 0; n < points.size(); ++n)
         if (points.may_touch(n))
-          state_of(state).multipliers[n][0] =
-            std::min(0., condition.multiplier(clearance(state, loads, n)));
+          state_of(state).multipliers[n][0] = std::min(
+            0.,
+            placed->laws.condition().multiplier(clearance(state, loads, n)));
     return update_active_set(state, loads);
   }
 
@@ -539,12 +387,12 @@ namespace Biface
         if (!zone.active[n])
           continue;
         const Tensor<1, 3> motion = points.motion(increment, n);
-        zone.multipliers[n][0] =
-          condition.multiplier(before[n].clearance -
-                               before[n].normal * (motion - before[n].of_body));
-        if (placed->law->acts_on(zone, n))
+        zone.multipliers[n][0]    = placed->laws.condition().multiplier(
+          before[n].clearance -
+          before[n].normal * (motion - before[n].of_body));
+        if (placed->laws.tangential().acts_on(zone, n))
           set_tangential_multipliers(
-            state, *placed->law, at_point(state, loads, n));
+            state, placed->laws.tangential(), at_point(state, loads, n));
       }
     set_multipliers_of_bristles(state, loads);
   }
@@ -554,13 +402,14 @@ namespace Biface
   ContactPair::set_multipliers_of_bristles(State       &state,
                                            const Loads &loads) const
   {
-    if (!has_bristles(loads))
+    const auto lines = bristle_lines(state, loads);
+    if (!lines)
       return;
-    const BristleLines lines     = bristle_lines(state, loads);
-    const double       stiffness = body(loads)->law->stiffness_of_bristles();
-    ContactState      &zone      = state_of(state);
+    const double stiffness =
+      body(loads)->laws.bristles()->tangential_stiffness();
+    ContactState &zone = state_of(state);
     for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
-      if (const BristleLaw::Bristle *bristle = lines.at(n))
+      if (const BristleLaw::Bristle *bristle = lines->at(n))
         {
           zone.statuses[n] =
             (bristle->slips() ? ContactStatus::slip : ContactStatus::stick);
@@ -584,61 +433,15 @@ namespace Biface
 
 
   void
-  ContactPair::let_stick(State &state) const
-  {
-    for (ContactStatus &status : state_of(state).statuses)
-      if (status == ContactStatus::slip)
-        status = ContactStatus::stick;
-  }
-
-
-  void
   ContactPair::commit_step(State &state, const Loads &loads) const
   {
     ContactState &zone = state_of(state);
     for (unsigned int n = 0; n < points.size(); ++n)
       if (zone.active[n])
-        body(loads)->law->commit_step(zone, at_point(state, loads, n));
+        body(loads)->laws.tangential().commit_step(zone,
+                                                   at_point(state, loads, n));
       else
         zone.forget_stick_point(n);
-  }
-
-
-  bool
-  ContactPair::release_glue(State &state, const ActiveSet &nodes) const
-  {
-    std::vector<ContactStatus> &statuses = state_of(state).statuses;
-    AssertDimension(nodes.size(), statuses.size());
-    bool any = false;
-    for (unsigned int n = 0; n < nodes.size(); ++n)
-      if (nodes[n] && statuses[n] == ContactStatus::glued)
-        {
-          statuses[n] = ContactStatus::none;
-          any         = true;
-        }
-    return any;
-  }
-
-
-  unsigned int
-  ContactPair::count_active(const State &state) const
-  {
-    unsigned int n = 0;
-    for (unsigned int i = 0; i < points.size(); ++i)
-      if (state_of(state).active[i] && points.is_owned(i))
-        ++n;
-    return Utilities::MPI::sum(n, mesh.communicator);
-  }
-
-
-  unsigned int
-  ContactPair::count_slipping(const State &state, const Loads &loads) const
-  {
-    unsigned int n = 0;
-    for (unsigned int i = 0; i < points.size(); ++i)
-      if (points.is_owned(i) && slips(state_of(state), body(loads), i))
-        ++n;
-    return Utilities::MPI::sum(n, mesh.communicator);
   }
 
 
@@ -650,129 +453,14 @@ namespace Biface
     const ContactState  &zone    = state_of(state);
     const PointInContact at      = at_point(state, loads, point);
     const Tensor<1, 3>  &n       = at.at_body.normal;
-    const double         epsilon = condition.multiplier_stiffness();
+    const ContactLaws   &laws    = body(loads)->laws;
+    const double         epsilon = laws.condition().penalty_stiffness();
     LinearizedTraction   result;
-    result.value = condition.multiplier(at.at_body.clearance) * n;
+    result.value = laws.condition().multiplier(at.at_body.clearance) * n;
     result.stiffness =
       epsilon * outer_product(n, n) -
       zone.multipliers[point][0] * Tensor<2, 3>(at.at_body.normal_gradient);
-    body(loads)->law->linearize(zone, at, result);
+    laws.tangential().linearize(zone, at, result);
     return result;
-  }
-
-
-  namespace
-  {
-    /** Call a function with the number of each active point of the cells of
-     * this rank, and with its area on a cell. */
-    template <typename Function>
-    void
-    for_active_points(const ContactPoints &points,
-                      const ShellMesh     &mesh,
-                      const ContactState  &zone,
-                      const Function      &function)
-    {
-      for (const Cell &cell : mesh.wall_elements())
-        for (unsigned int i = 0; i < points.on_cell().size(); ++i)
-          {
-            const unsigned int n = points.number(cell, i);
-            if (zone.active[n])
-              function(n, points.on_cell()[i].area * cell.geometry.weight);
-          }
-    }
-  } // namespace
-
-
-  double
-  ContactPair::friction_work(const State &before,
-                             const State &after,
-                             const Loads &loads) const
-  {
-    double work = 0;
-    if (has_friction(loads))
-      for_active_points(
-        points,
-        mesh,
-        state_of(after),
-        [&](const unsigned int n, const double area) {
-          work -=
-            area * (traction_of_multipliers(after, loads, n).friction *
-                    body(loads)->law->slip_in_step(
-                      state_of(before), state_of(after), body(loads)->body, n));
-        });
-    return Utilities::MPI::sum(work, mesh.communicator);
-  }
-
-
-  namespace
-  {
-    /** The mean of a function of the pressures at the points, weighted by the
-     * forces that they carry; zero if there are none. */
-    template <typename Function>
-    double
-    mean_by_force(const ContactPoints &points,
-                  const ShellMesh     &mesh,
-                  const ContactState  &zone,
-                  const Function      &function)
-    {
-      double force = 0, integral = 0;
-      for_active_points(
-        points, mesh, zone, [&](const unsigned int n, const double area) {
-          const double pressure = zone.pressure(n);
-          force += area * pressure;
-          integral += area * pressure * function(pressure);
-        });
-      force    = Utilities::MPI::sum(force, mesh.communicator);
-      integral = Utilities::MPI::sum(integral, mesh.communicator);
-      return force > 0 ? integral / force : 0.;
-    }
-  } // namespace
-
-
-  ContactSummary
-  ContactPair::summarize(const State &state, const Loads &loads) const
-  {
-    const ContactState &zone = state_of(state);
-    double force = 0, area = 0, slipping_area = 0, max_pressure = 0;
-    if (body(loads))
-      {
-        const Tensor<1, 3> d = body(loads)->body.direction();
-        for_active_points(
-          points, mesh, zone, [&](const unsigned int n, const double part) {
-            area += part;
-            if (slips(zone, body(loads), n))
-              slipping_area += part;
-            force -=
-              part * (traction_of_multipliers(state, loads, n).total * d);
-          });
-        // not over the cells, in which a node occurs several times
-        for (unsigned int n = 0; n < points.size(); ++n)
-          if (points.is_owned(n))
-            max_pressure = std::max(max_pressure, zone.pressure(n));
-      }
-
-    const MPI_Comm communicator = mesh.communicator;
-    ContactSummary summary;
-    summary.force         = Utilities::MPI::sum(force, communicator);
-    summary.area          = Utilities::MPI::sum(area, communicator);
-    summary.slipping_area = Utilities::MPI::sum(slipping_area, communicator);
-    summary.n_nodes       = count_active(state);
-    summary.n_slipping    = count_slipping(state, loads);
-    summary.max_pressure  = Utilities::MPI::max(max_pressure, communicator);
-    // weighted by the force, so that nodes that enter or leave, without
-    // pressure, change nothing
-    if (summary.n_nodes > 0)
-      {
-        const double mean =
-          mean_by_force(points, mesh, zone, [](const double p) { return p; });
-        const double square =
-          mean_by_force(points, mesh, zone, [&](const double p) {
-            return (p - mean) * (p - mean);
-          });
-        summary.weighted_pressure = mean;
-        if (mean > 0)
-          summary.pressure_variation = std::sqrt(std::max(0., square)) / mean;
-      }
-    return summary;
   }
 } // namespace Biface

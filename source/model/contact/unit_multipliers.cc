@@ -103,8 +103,11 @@ namespace Biface
     for (unsigned int k = 0; k < points.size(); ++k)
       {
         result[k].clearance = clearances[k];
+        // a body that has been taken away exerts no forces
+        const ContactPair &pair   = *contact.pairs[points[k].first];
+        const PlacedBody  *placed = pair.body(loads);
         result[k].stiffness =
-          contact.pairs[points[k].first]->condition.multiplier_stiffness();
+          (placed ? placed->laws : pair.laws()).condition().penalty_stiffness();
         LA::Vector gradient = mesh.owned_vector();
         if (gradients[k].cell != nullptr)
           mesh.add_nodal_forces(

@@ -918,14 +918,36 @@ namespace Biface
 
 
   double
+  ShellMesh::limit_of_membrane(const unsigned int strip) const
+  {
+    return 1000 * strips[strip].laminate.membrane_stiffness() /
+           (size() * size());
+  }
+
+
+  double
   ShellMesh::wall_stiffness() const
   {
     double minimum = std::numeric_limits<double>::infinity();
     for (unsigned int i = 0; i < n_strips(); ++i)
-      minimum = std::min(
-        {minimum,
-         strips[i].laminate.thickness_stiffness(),
-         1000 * strips[i].laminate.membrane_stiffness() / (size() * size())});
+      minimum = std::min({minimum,
+                          strips[i].laminate.thickness_stiffness(),
+                          limit_of_membrane(i)});
+    return minimum;
+  }
+
+
+  double
+  ShellMesh::wall_stiffness_sideways() const
+  {
+    double minimum = std::numeric_limits<double>::infinity();
+    for (unsigned int i = 0; i < n_strips(); ++i)
+      {
+        const double across = strips[i].laminate.thickness_stiffness(),
+                     limit  = limit_of_membrane(i);
+        minimum =
+          std::min(minimum, limit < across ? limit * (limit / across) : across);
+      }
     return minimum;
   }
 

@@ -75,7 +75,8 @@ namespace Biface
                   v,
                   cell.sign_of_face(v, pair.face),
                   gradient);
-              const Tensor<1, 3> x(pair.position(state, node));
+              const Tensor<1, 3> x(
+                mesh.deformed_position(state.displacement, node, pair.face));
               for (unsigned int i = 0; i < motion.change.size(); ++i)
                 sums[2 + i] += f * node.surface.to_frame(motion.change[i](x));
               const Tensor<1, 3> r = node.surface.to_frame(motion.at(x));
@@ -94,15 +95,14 @@ namespace Biface
           mesh.add_nodal_forces(cell, gradient, result.gradient);
         }
 
-      if (pair.has_bristles(loads))
+      if (const auto lines = pair.bristle_lines(state, loads))
         {
           std::vector<double> per_rate(rates.size());
-          sums[0] += pair.bristle_lines(state, loads)
-                       .add_work(motion.at,
-                                 motion.transposed_derivative,
-                                 rates,
-                                 result.gradient,
-                                 per_rate);
+          sums[0] += lines->add_work(motion.at,
+                                     motion.transposed_derivative,
+                                     rates,
+                                     result.gradient,
+                                     per_rate);
           for (unsigned int i = 0; i < rates.size(); ++i)
             sums[2 + i] += per_rate[i];
         }

@@ -132,7 +132,7 @@ namespace Biface
         for (unsigned int q = 0; q < 4; ++q)
           {
             const Node &node = mesh.nodes[cell.nodes[q]];
-            x[q]             = pair.position(state, node);
+            x[q] = mesh.deformed_position(state.displacement, node, pair.face);
             wall = std::min(wall, node.face_heights[1] - node.face_heights[0]);
           }
         // the clearance bounds the distance

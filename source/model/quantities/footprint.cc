@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <biface/base/gather.h>
+#include <biface/model/contact/contact_summary.h>
 #include <biface/model/quantities/footprint.h>
 
 namespace Biface
@@ -44,9 +45,10 @@ namespace Biface
       for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
         if (mesh.nodes[n].locally_owned)
           {
-            const Node    &node      = mesh.nodes[n];
-            const Point<3> x         = pair.position(state, node);
-            const double   clearance = placed.body.clearance(x);
+            const Node    &node = mesh.nodes[n];
+            const Point<3> x =
+              mesh.deformed_position(state.displacement, node, pair.face);
+            const double clearance = placed.body.clearance(x);
             values.insert(
               values.end(),
               {static_cast<double>(node.number),
@@ -103,8 +105,8 @@ namespace Biface
       constexpr unsigned int n_columns = 3;
       // the value at a vertex of the dual functions of the vertices, in one
       // dimension
-      const bool   lumped = (pair.points.at_nodes() &&
-                           pair.condition.mass() == MultiplierMass::lumped);
+      const bool lumped =
+        (pair.points.at_nodes() && pair.mortar_matrix == MortarMatrix::lumped);
       const double same = (lumped ? 2 : 1), other = (lumped ? -1 : 0);
 
       std::vector<double> values;
@@ -309,7 +311,7 @@ namespace Biface
                  const Loads       &loads)
   {
     Footprint result;
-    if (!pair.body(loads) || pair.count_active(state) == 0)
+    if (!pair.body(loads) || count_active(pair, state) == 0)
       return result;
 
     const ShellMesh &mesh  = pair.mesh;

@@ -47,11 +47,10 @@ namespace Biface
                   const Loads       &loads)
   {
     std::vector<Tensor<1, 3>> velocities(contact.mesh.nodes.size());
-    if (contact.has_bristles(loads))
+    if (const auto lines = contact.bristle_lines(state, loads))
       {
-        const BristleLines lines = contact.bristle_lines(state, loads);
         for (unsigned int n = 0; n < velocities.size(); ++n)
-          velocities[n] = lines.slip_velocity(n);
+          velocities[n] = lines->slip_velocity(n);
         return velocities;
       }
     for (unsigned int n = 0; n < velocities.size(); ++n)
@@ -140,10 +139,10 @@ namespace Biface
     result.friction_power = powers[0];
     result.normal_power   = powers[1];
     result.sliding_power  = result.friction_power;
-    if (contact.has_bristles(loads))
+    if (const auto lines = contact.bristle_lines(state, loads))
       {
         const BristleLines::Powers of_bristles =
-          contact.bristle_lines(state, loads).powers(rolling.angular_velocity);
+          lines->powers(rolling.angular_velocity);
         result.sliding_power = of_bristles.sliding;
         result.release_power = of_bristles.release;
       }

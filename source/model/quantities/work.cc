@@ -2,6 +2,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <biface/model/contact/contact_summary.h>
 #include <biface/model/quantities/work.h>
 
 namespace Biface
@@ -31,10 +32,11 @@ namespace Biface
             const Tensor<1, 3> traction =
               pair.traction_of_multipliers(at.state, at.loads, point).total;
             for (unsigned int r = 0; r < 4; ++r)
-              work +=
-                points.on_cell()[i].forces[r] * cell.geometry.weight *
-                (traction *
-                 motion(pair.position(at.state, mesh.nodes[cell.nodes[r]])));
+              work += points.on_cell()[i].forces[r] * cell.geometry.weight *
+                      (traction *
+                       motion(mesh.deformed_position(at.state.displacement,
+                                                     mesh.nodes[cell.nodes[r]],
+                                                     pair.face)));
           }
       return Utilities::MPI::sum(work, mesh.communicator);
     }
@@ -88,7 +90,7 @@ namespace Biface
                         })) /
           2;
         result.friction +=
-          pair->friction_work(before.state, after.state, after.loads);
+          friction_work(*pair, before.state, after.state, after.loads);
       }
     return result;
   }

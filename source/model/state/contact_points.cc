@@ -13,14 +13,14 @@ namespace Biface
   ContactPoints::ContactPoints(const ShellMesh       &mesh,
                                const Resultants::Face face,
                                const unsigned int     per_side,
-                               const MultiplierMass   mass)
+                               const MortarMatrix     mass)
     : mesh(mesh), face(face), points_per_side(per_side)
   {
     if (at_nodes())
       {
         // with the consistent mass, the traction at a node acts on all nodes of
         // the cell
-        const auto M = multiplier_mass(mass, 1);
+        const auto M = mortar_matrix(mass, 1);
         for (unsigned int s = 0; s < 4; ++s)
           {
             OnCell point{};
@@ -55,7 +55,7 @@ namespace Biface
     : ContactPoints(mesh,
                     face,
                     std::lround(std::sqrt(state.per_cell)),
-                    MultiplierMass::lumped)
+                    MortarMatrix::lumped)
   {}
 
 

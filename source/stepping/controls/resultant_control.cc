@@ -10,6 +10,8 @@
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/model/contact/approach.h>
+#include <biface/model/contact/contact_summary.h>
 #include <biface/model/quantities/rolling_summary.h>
 #include <biface/stepping/controls/resultant_control.h>
 
@@ -112,7 +114,7 @@ namespace Biface
       }
 
       std::optional<double>
-      change_to_appear(
+      change_into_contact(
         const double /*prescribed*/,
         const ControlEquations::Iteration &iteration) const override
       {
@@ -131,7 +133,7 @@ namespace Biface
                              const Function           &function)
       {
         for (const auto &pair : contact.pairs)
-          if (pair->moves_with_foundation() && pair->body(loads))
+          if (pair->moving_body.is_on_foundation() && pair->body(loads))
             function(*pair);
       }
 
@@ -141,9 +143,9 @@ namespace Biface
               const State              &state,
               const Loads              &loads)
       {
-        bool any = contact.ground().count_active(state) > 0;
+        bool any = count_active(contact.ground(), state) > 0;
         for_each_on_foundation(contact, loads, [&](const ContactPair &pair) {
-          any = pair.count_active(state) > 0 || any;
+          any = count_active(pair, state) > 0 || any;
         });
         return any;
       }
@@ -155,7 +157,7 @@ namespace Biface
                    const State              &state,
                    const Loads              &loads)
       {
-        return contact.ground().remaining_travel(state, loads) +
+        return remaining_travel(contact.ground(), state, loads) +
                0.01 * contact.mesh.thickness();
       }
     };
@@ -259,7 +261,7 @@ namespace Biface
         // bristles that slide all the way would not tell how to go on
         const ContactPair &ground = from.contact.ground();
         const Loads        loads  = from.loads(next);
-        if (ground.has_bristles(loads))
+        if (ground.body(loads)->laws.bristles())
           if (const auto velocity =
                 angular_velocity_without_slip(ground, from.state, loads))
             return *velocity;
@@ -368,23 +370,24 @@ namespace Biface
       }
 
       std::optional<double>
-      change_to_appear(
+      change_into_contact(
         const double                       prescribed,
         const ControlEquations::Iteration &iteration) const override
       {
         const ContactPair &body = pair(iteration.contact);
         if (of_stage.motion.spring > 0 || prescribed == 0 ||
-            body.count_active(iteration.state) > 0)
+            count_active(body, iteration.state) > 0)
           return {};
         // into the shell by a small part of its thickness
         LoadRates direction = rate();
         direction.factors[factor] =
           std::copysign(1., prescribed * amplitude) / std::abs(amplitude);
         const double way =
-          body.way_to_shell(iteration.state,
-                            iteration.loads,
-                            direction,
-                            0.01 * iteration.contact.mesh.thickness());
+          way_to_shell(body,
+                       iteration.state,
+                       iteration.loads,
+                       direction,
+                       0.01 * iteration.contact.mesh.thickness());
         return way * direction.factors[factor];
       }
 
@@ -453,7 +456,7 @@ namespace Biface
         const unsigned int n = resultants.size();
         for (unsigned int i = 0; i < n; ++i)
           if (const auto change =
-                resultants[i]->change_to_appear(values[i], iteration))
+                resultants[i]->change_into_contact(values[i], iteration))
             {
               LoadParameters changes(n);
               changes[i] = *change;
@@ -567,7 +570,7 @@ namespace Biface
       std::any_of(resultants.begin(), resultants.end(), [](const auto &item) {
         return item->needs_contact();
       });
-    if (needs_contact && from.contact.ground().count_active(from.state) == 0)
+    if (needs_contact && count_active(from.contact.ground(), from.state) == 0)
       throw InputError("the stage '" + stage.name +
                        "' has 'Control = " + stage.control_name() +
                        "' and must start in contact, such as after a stage "

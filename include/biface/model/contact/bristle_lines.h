@@ -30,7 +30,7 @@ namespace Biface
     /** Compute the bristles. Must be called on all ranks.
      * @param face that touches the body.
      * @param zone what happens between both.
-     * @param body its law has bristles. */
+     * @param body its laws have bristles. */
     BristleLines(const ShellMesh       &mesh,
                  const FlowLines       &flow_lines,
                  const Resultants::Face face,
@@ -129,6 +129,12 @@ namespace Biface
       std::vector<BristleLaw::Station> stations;
       std::vector<BristleLaw::Bristle> bristles;
     };
+
+    const BristleLaw &
+    law() const
+    {
+      return *body.laws.bristles();
+    }
 
     /** The nodes of this rank that touch or have a neighbor that does. */
     std::vector<LineNode>

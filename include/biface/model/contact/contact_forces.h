@@ -62,7 +62,7 @@ namespace Biface
     start_stage(const Loads &loads, State &state) const override
     {
       if (const PlacedBody *body = contact.body(loads))
-        body->law->start_stage(contact.state_of(state));
+        body->laws.tangential().start_stage(contact.state_of(state));
     }
 
     /** Set what the nodes remember at the end of a step, see
@@ -80,7 +80,7 @@ namespace Biface
     is_symmetric(const Loads &loads) const override
     {
       return !contact.body(loads) ||
-             (contact.condition.mass() == MultiplierMass::lumped &&
+             (contact.mortar_matrix == MortarMatrix::lumped &&
               !contact.has_friction(loads));
     }
 

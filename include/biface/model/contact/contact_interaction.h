@@ -95,7 +95,7 @@ namespace Biface
     settle(State &state, const Loads &loads) const;
 
     /** The name of a body, other than the ground, through which the shell has
-     * passed in a step, see ContactPair::was_passed(); empty for none. */
+     * passed in a step, see was_passed(); empty for none. */
     std::string
     passed_body(const State &before,
                 const Loads &loads_before,
@@ -111,12 +111,12 @@ namespace Biface
                         const LA::Vector     &increment) const;
 
     /** Let all nodes of all pairs stick that have a stick point, see
-     * ContactPair::let_stick(). */
+     * ContactState::make_slipping_points_stick(). */
     void
-    let_stick(State &state) const;
+    make_slipping_points_stick(State &state) const;
 
     /** Let glued nodes of all pairs forget their stick points, see
-     * ContactPair::release_glue().
+     * ContactState::release_glue().
      * @param nodes like active_points(). */
     bool
     release_glue(State &state, const ActiveSet &nodes) const;

@@ -6,8 +6,6 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
-#include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,11 +13,13 @@
 #include <biface/base/linear_algebra.h>
 #include <biface/contact/body_parameters.h>
 #include <biface/contact/contact_condition.h>
+#include <biface/contact/contact_laws.h>
 #include <biface/contact/friction.h>
 #include <biface/contact/rigid_body.h>
-#include <biface/contact/tangential_law.h>
 #include <biface/contact/tread.h>
 #include <biface/model/contact/bristle_lines.h>
+#include <biface/model/contact/contact_traction.h>
+#include <biface/model/contact/moving_body.h>
 #include <biface/model/mesh/flow_lines.h>
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/state/contact_points.h>
@@ -28,78 +28,6 @@
 namespace Biface
 {
   class EntryDeclarations;
-
-
-  /** The figures of a contact zone. */
-  struct ContactSummary
-  {
-    /** The compressive force on the body, along its direction. Unit: force. */
-    double force = 0;
-    /** The number of active nodes, or of active points in cells. */
-    unsigned int n_nodes = 0;
-    /** The number of points that slip at the limit of friction; 0 without
-     * friction. */
-    unsigned int n_slipping = 0;
-    /** The sum of the areas of the active points on the middle surface. Unit:
-     * area. */
-    double area = 0;
-    /** The part of @p area that belongs to slipping points. */
-    double slipping_area = 0;
-    double max_pressure  = 0;
-    /** The mean of the pressures @f$p@f$ at the points, each weighted by the
-     * force
-     * @f$pA@f$ that it carries: @f$\sum p^2A/\sum pA@f$. For a given force it
-     * is lowest if the pressure is the same on as large an area as possible.
-     * Nodes that enter or leave do so without pressure and do not change it.
-     * Unit: force/area. */
-    double weighted_pressure = 0;
-    /** The standard deviation of the nodal pressures with the same weights, in
-     * parts of this mean: zero if all of the ground that carries is under the
-     * same pressure. No unit. */
-    double pressure_variation = 0;
-  };
-
-
-  /** The traction of a body on the shell. Unit: force/area. */
-  struct ContactTraction
-  {
-    dealii::Tensor<1, 3> total;
-    /** The tangential part of the traction. */
-    dealii::Tensor<1, 3> friction;
-  };
-
-
-  /** The traction at a point from its multipliers; zero if it is inactive, or
-   * if the body, then null, is not there.
-   * @param x the deformed position of the point. */
-  ContactTraction
-  contact_traction(const ContactState     &state,
-                   const PlacedBody       *body,
-                   const unsigned int      point,
-                   const dealii::Point<3> &x);
-
-
-  /** Whether a point slips at the limit of friction of a body, which is null if
-   * it is not there. */
-  inline bool
-  slips(const ContactState &state,
-        const PlacedBody   *body,
-        const unsigned int  point)
-  {
-    return body && body->law->has_friction() && state.slips(point);
-  }
-
-
-  /** The contact at the nodes of this rank between the shell and a body: what
-   * the state contains or, if the points are in cells, the nodal values that
-   * exert the same forces, with nodes in contact that have a point in contact
-   * around. Must be called on all ranks.
-   * @param number see ContactPair::number. */
-  ContactState
-  contact_at_nodes(const ShellMesh   &mesh,
-                   const State       &state,
-                   const unsigned int number,
-                   const PlacedBody  &body);
 
 
   /**
@@ -158,8 +86,8 @@ namespace Biface
       return state.contacts[number];
     }
 
-    /** The body at its present place with its tangential law; null if it is not
-     * there. */
+    /** The body at its present place with the laws of its contact; null if it
+     * is not there. */
     const PlacedBody *
     body(const Loads &loads) const
     {
@@ -170,122 +98,32 @@ namespace Biface
     bool
     has_friction(const Loads &loads) const
     {
-      return body(loads) && body(loads)->law->has_friction();
+      return body(loads) && body(loads)->laws.has_friction();
     }
 
-    /** Whether the body is there and holds nodes sideways by bristles on the
-     * lines of flow. */
-    bool
-    has_bristles(const Loads &loads) const
-    {
-      return body(loads) && body(loads)->law->bristles() && loads.rolling;
-    }
+    /** The bristles on the lines of flow, if the body holds the nodes by them.
+     * Must be called on all ranks; the body must outlive the result. */
+    std::optional<BristleLines>
+    bristle_lines(const State &state, const Loads &loads) const;
 
-    /** The bristles of a body that has them, see has_bristles(). Must be called
-     * on all ranks; the body must outlive the result. */
-    BristleLines
-    bristle_lines(const State &state, const Loads &loads) const
-    {
-      return BristleLines(mesh,
-                          flow_lines,
-                          face,
-                          state,
-                          state_of(state),
-                          *body(loads),
-                          *loads.rolling);
-    }
-
-    /** The body after the given travel from its initial position. */
-    RigidBody
-    body_at(const double travel) const
-    {
-      return body_at_rest.moved(travel);
-    }
-
-    /** Whether the body is not the foundation, but moves with it. */
-    bool
-    moves_with_foundation() const
-    {
-      return other_body && other_body->on_foundation;
-    }
-
-    /** A body on the body of this pair, the foundation, after the same
-     * travel. */
-    RigidBody
-    taken_along(const RigidBody &body, const double travel) const;
-
-    /** The body of a pair that is not the ground, after its motions by the
-     * given factors. The foundation takes those along that are on it.
-     * @param with_foundation the further motion of a body on the foundation. */
-    RigidBody
-    body_at(
-      const std::vector<double>                         &factors,
-      const std::function<RigidBody(const RigidBody &)> &with_foundation) const;
-
-    /** The law by which the body holds the nodes sideways. Throws InputError if
-     * the coefficient is invalid.
-     * @param entry the entry of the coefficient.
-     * @param coefficient that of a stage; empty for that of the parameters.
-     * @param glued whether the nodes in contact at the start of the stage
-     * cannot slip.
+    /** The laws of contact in a stage.
      * @param rolls whether the shell rolls. */
-    std::shared_ptr<const TangentialLaw>
-    law(const std::string &entry,
-        const std::string &coefficient,
-        const bool         glued,
-        const bool         rolls) const;
+    ContactLaws
+    laws(const ContactLawsOfStage &of_stage = {},
+         const bool                rolls    = false) const;
 
-    /** The travel at which the body just touches a free node of the deformed
-     * face, one that can come into contact. Throws InputError if it misses the
-     * shell, or if the shell does not fit into it. */
+    /** The parameter @f$\varepsilon_t@f$ of FrictionLaw in a stage, with the
+     * tread. Unit: pressure/length. */
     double
-    touching_travel(const State &state) const;
+    tangential_stiffness(const ContactLawsOfStage &of_stage) const;
 
-    /** The mean of the deformed positions of the nodes that the body touches at
-     * the given travel. */
-    dealii::Point<3>
-    touched_point(const State &state, const double touching_travel) const;
-
-    /** The nodes of this rank that the body has passed through: supports hold
-     * their face, so they cannot come into contact. */
-    ActiveSet
-    pierced_nodes(const State &state, const Loads &loads) const;
-
-    /** How deep a node of the face that may touch is in the body; 0 if none is.
-     * Must be called on all ranks. Unit: length. */
-    double
-    penetration(const State &state, const Loads &loads) const;
-
-    /** Whether a node of this rank has passed through the body: one that did
-     * not touch it, on the straight line between its places relative to the
-     * body, and one that did, if the normal has turned by more than 120
-     * degrees. */
-    bool
-    was_passed(const State &before,
-               const Loads &loads_before,
-               const State &after,
-               const Loads &loads_after) const;
-
-    /** The travel from the present place of the body until it touches a free
-     * node of the face, see RigidBody::travel_to(). Unit: length. */
-    double
-    remaining_travel(const State &state, const Loads &loads) const;
-
-    /** The way of the body, at its present velocity, until a free node of the
-     * face is in it by the given depth; infinite if it approaches none.
-     * @param direction the rates of the loads per way. */
-    double
-    way_to_shell(const State     &state,
-                 const Loads     &loads,
-                 const LoadRates &direction,
-                 const double     depth) const;
-
-    /** The deformed position of the face at a node. */
-    dealii::Point<3>
-    position(const State &state, const Node &node) const
-    {
-      return mesh.deformed_position(state.displacement, node, face);
-    }
+    /** Where the tangential stiffness changes, let those that
+     * stick keep their tractions: move their stick points.
+     * @param ratio the stiffness before over that from now on. */
+    void
+    keep_tangential_tractions(State       &state,
+                              const Loads &loads,
+                              const double ratio) const;
 
     /** The distance between the deformed face at a point and the body. Unit:
      * length. */
@@ -369,37 +207,11 @@ namespace Biface
                         const Linearizations &before,
                         const LA::Vector     &increment) const;
 
-    /** Let all nodes stick that have a stick point, where nothing is known
-     * about the slip: too many slipping nodes have too little stiffness. */
-    void
-    let_stick(State &state) const;
-
     /** Let the nodes remember the end of a step, see
      * TangentialLaw::commit_step(); those that have left forget how they
      * stuck. */
     void
     commit_step(State &state, const Loads &loads) const;
-
-    /** Let glued nodes forget their stick points, like nodes that leave the
-     * body and enter it again.
-     * @return whether there are any on this rank. */
-    bool
-    release_glue(State &state, const ActiveSet &nodes) const;
-
-    /** The number of active points on all ranks. */
-    unsigned int
-    count_active(const State &state) const;
-
-    /** The number of points that slip, on all ranks. */
-    unsigned int
-    count_slipping(const State &state, const Loads &loads) const;
-
-    /** The work of friction in a step, that is, the heat: at each node the
-     * traction at the end of the step times the motion of the stick point. */
-    double
-    friction_work(const State &before,
-                  const State &after,
-                  const Loads &loads) const;
 
     /** The traction at a point, @f$\varepsilon c\,\mathbf n+\mathbf t@f$ with
      * the clearance c. Without friction the stiffness is
@@ -422,25 +234,19 @@ namespace Biface
                               points.position(state.displacement, point));
     }
 
-    /** The figures of the contact zone, from the multipliers of the state. */
-    ContactSummary
-    summarize(const State &state, const Loads &loads) const;
-
     const ShellMesh   &mesh;
     const unsigned int number;
     /** The name of the body. */
     const std::string      name;
     const Resultants::Face face;
     const TreadParameters  tread;
-    const ContactCondition condition;
+    const MortarMatrix     mortar_matrix;
     const ContactPoints    points;
+    const MovingBody       moving_body;
     /** The flow of the material through the mesh, if the shell rolls. */
     const FlowLines flow_lines;
 
   private:
-    double
-    minimum_travel(const State &state, const RigidBody &body) const;
-
     /** Set the tangential multipliers of an active node to its tangential
      * traction. */
     void
@@ -452,10 +258,8 @@ namespace Biface
     void
     set_multipliers_of_bristles(State &state, const Loads &loads) const;
 
-    const RigidBody               body_at_rest;
-    const FrictionLaw::Parameters friction_parameters;
-    /** The parameters of a body that is not the ground. */
-    const std::optional<BodyParameters> other_body;
+    const ContactCondition::Parameters condition_parameters;
+    const FrictionLaw::Parameters      friction_parameters;
   };
 } // namespace Biface
 

@@ -40,7 +40,7 @@ namespace Biface
      * length. */
     double clearance = 0;
     /** The stiffness of the multiplier, see
-     * ContactCondition::multiplier_stiffness(). Unit: pressure/length. */
+     * ContactCondition::penalty_stiffness(). Unit: pressure/length. */
     double stiffness = 0;
   };
 

@@ -265,6 +265,14 @@ namespace Biface
     double
     wall_stiffness() const;
 
+    /** The stiffness from which that of sticking follows: where
+     * wall_stiffness() is limited, it is lower by the same part once more,
+     * since nodes that stick resist the stretch of a membrane, and parts of it
+     * cannot stick and others slip if they stick within far less than this.
+     * Unit: pressure/length. */
+    double
+    wall_stiffness_sideways() const;
+
     /** Whether supports prescribe displacements, on any rank. */
     bool
     prescribes_displacements() const;
@@ -371,6 +379,11 @@ namespace Biface
     cell_values(const LA::Vector &V, const Cell &cell) const;
 
   private:
+    /** The limit of the stiffness of a strip as thin as a membrane, see
+     * wall_stiffness(). Unit: pressure/length. */
+    double
+    limit_of_membrane(const unsigned int strip) const;
+
     /** A copy on the same triangulation. */
     ShellMesh(const ShellMesh &);
 

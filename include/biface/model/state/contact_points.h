@@ -35,7 +35,7 @@ namespace Biface
     ContactPoints(const ShellMesh       &mesh,
                   const Resultants::Face face,
                   const unsigned int     per_side,
-                  const MultiplierMass   mass);
+                  const MortarMatrix     mass);
 
     /** The points of a state, in which the kind of the mass of multipliers does
      * not show. */

@@ -14,10 +14,10 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
+#include <biface/contact/contact_laws.h>
 #include <biface/contact/contact_state.h>
 #include <biface/contact/rigid_body.h>
 #include <biface/contact/rolling.h>
-#include <biface/contact/tangential_law.h>
 #include <biface/element/modes.h>
 #include <biface/laminate/time_step.h>
 #include <biface/model/mesh/shell_mesh.h>
@@ -120,14 +120,11 @@ namespace Biface
   };
 
 
-  /** A rigid body at its present place, and the law by which it holds the nodes
-   * of the shell sideways. */
+  /** A rigid body at its present place, and the laws of its contact. */
   struct PlacedBody
   {
-    RigidBody body;
-    /** The tangential law; never null. */
-    std::shared_ptr<const TangentialLaw> law =
-      std::make_shared<const TangentialLaw>();
+    RigidBody   body;
+    ContactLaws laws;
     /** The face of the shell that the body touches. */
     Resultants::Face face = Resultants::outer;
     std::string      name = "foundation";

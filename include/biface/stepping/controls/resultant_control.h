@@ -66,12 +66,12 @@ namespace Biface
     virtual double
     guess(const Control::Equilibrium &from, const LoadLevel &next) const = 0;
 
-    /** The change of the unknown load that lets the resultant appear where it
-     * is zero, whatever the loads: then no other load changes. None if the
-     * resultant is not zero or the change is not known. */
+    /** The change of the unknown load that brings the shell into contact where
+     * the resultant is zero without it, whatever the loads: then no other load
+     * changes. None if it is in contact, or needs none. */
     virtual std::optional<double>
-    change_to_appear(const double /*prescribed*/,
-                     const ControlEquations::Iteration & /*iteration*/) const
+    change_into_contact(const double /*prescribed*/,
+                        const ControlEquations::Iteration & /*iteration*/) const
     {
       return {};
     }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <biface/contact/friction_by_bristles.h>
+#include <biface/contact/friction_without_history.h>
 
 namespace Biface
 {
   using namespace dealii;
 
   void
-  FrictionByBristles::start_stage(ContactState &state) const
+  FrictionWithoutHistory::start_stage(ContactState &state) const
   {
     for (unsigned int n = 0; n < state.statuses.size(); ++n)
       state.forget_stick_point(n);
@@ -15,8 +15,8 @@ namespace Biface
 
 
   void
-  FrictionByBristles::commit_step(ContactState         &state,
-                                  const PointInContact &at) const
+  FrictionWithoutHistory::commit_step(ContactState         &state,
+                                      const PointInContact &at) const
   {
     const auto   tangents = at.body.tangents(at.at_body.normal);
     Tensor<1, 3> traction;

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_contact_contact_laws_h
+#define biface_contact_contact_laws_h
+
+#include <memory>
+#include <optional>
+
+#include <biface/contact/bristles.h>
+#include <biface/contact/contact_condition.h>
+#include <biface/contact/friction.h>
+#include <biface/contact/tangential_law.h>
+
+namespace Biface
+{
+  /** What a stage sets of the laws of contact; what is not set is that of the
+   * section 'Contact'. */
+  struct ContactLawsOfStage
+  {
+    /** The coefficient of friction of the foundation. */
+    std::optional<FrictionCoefficient> friction;
+    /** The parameters @f$\varepsilon@f$ of ContactCondition and
+     * @f$\varepsilon_t@f$ of FrictionLaw, of all bodies; a tread is in series
+     * with them. Unit: pressure/length. */
+    std::optional<double> penalty_stiffness, tangential_stiffness;
+    /** Whether the nodes in contact with the foundation at the start of the
+     * stage cannot slip. */
+    bool glued = false;
+  };
+
+
+  /** How friction holds the points in contact. */
+  enum class FrictionKind
+  {
+    none,
+    /** Friction with stick points, see FrictionWithHistory. */
+    with_history,
+    /** Friction with stick points, of nodes that cannot slip. */
+    glued,
+    /** Friction by the slip velocity, see FrictionBySlipVelocity. */
+    by_slip_velocity,
+    /** Friction by the deflection of bristles, see BristleLaw. */
+    by_bristles
+  };
+
+
+  /** The laws between the shell and a body: across the face, and sideways.
+   * Copies share them. */
+  class ContactLaws
+  {
+  public:
+    /** The laws of contact without friction. */
+    explicit ContactLaws(const ContactCondition &condition);
+
+    ContactLaws(const ContactCondition &condition,
+                const FrictionLaw      &friction,
+                const FrictionKind      kind);
+
+    /** A copy with another penalty stiffness. */
+    ContactLaws
+    with_condition(const ContactCondition &other) const;
+
+    /** The kind of friction of these laws with another law. There must be
+     * friction. */
+    ContactLaws
+    with_friction(const FrictionLaw &other) const;
+
+    const ContactCondition &
+    condition() const
+    {
+      return across;
+    }
+
+    bool
+    has_friction() const
+    {
+      return kind != FrictionKind::none;
+    }
+
+    FrictionKind
+    kind_of_friction() const
+    {
+      return kind;
+    }
+
+    /** The law of friction, which must be there. */
+    const FrictionLaw &
+    friction() const
+    {
+      return *law;
+    }
+
+    /** How each node is held sideways for itself. */
+    const TangentialLaw &
+    tangential() const
+    {
+      return *of_nodes;
+    }
+
+    /** The bristles on the lines of flow from which the tractions follow, all
+     * at once; null if each node has a traction of its own. */
+    const BristleLaw *
+    bristles() const
+    {
+      return of_lines.get();
+    }
+
+  private:
+    ContactCondition                     across;
+    FrictionKind                         kind;
+    std::optional<FrictionLaw>           law;
+    std::shared_ptr<const TangentialLaw> of_nodes;
+    std::shared_ptr<const BristleLaw>    of_lines;
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_contact_approach_h
+#define biface_model_contact_approach_h
+
+#include <deal.II/base/point.h>
+
+#include <biface/model/contact/contact_pair.h>
+
+namespace Biface
+{
+  // Where the body of a pair meets its face, before and beside the contact.
+
+  /** The travel at which the body at rest just touches a free node of the
+   * deformed face, one that can come into contact. Must be called on all ranks.
+   * Throws InputError if it misses the shell, or if the shell does not fit into
+   * it. */
+  double
+  touching_travel(const ContactPair &pair, const State &state);
+
+  /** The mean of the deformed positions of the nodes that the body touches at
+   * the given travel. Must be called on all ranks. */
+  dealii::Point<3>
+  touched_point(const ContactPair &pair,
+                const State       &state,
+                const double       touching_travel);
+
+  /** The nodes of this rank that the body has passed through: supports hold
+   * their face, so they cannot come into contact. */
+  ActiveSet
+  pierced_nodes(const ContactPair &pair,
+                const State       &state,
+                const Loads       &loads);
+
+  /** How deep a node of the face that may touch is in the body; 0 if none is.
+   * Must be called on all ranks. Unit: length. */
+  double
+  penetration(const ContactPair &pair, const State &state, const Loads &loads);
+
+  /** The largest angle between the deformed thickness of the shell and the
+   * normal of the body at an active point; 0 if there is none, small where the
+   * shell lies on a smooth body, and large at a point that the side of an
+   * obstacle holds. Must be called on all ranks. Unit: radians. */
+  double
+  steepest_side(const ContactPair &pair,
+                const State       &state,
+                const Loads       &loads);
+
+  /** Whether a node of this rank has passed through the body: one that did
+   * not touch it, on the straight line between its places relative to the
+   * body, and one that did, if the normal has turned by more than 120
+   * degrees. */
+  bool
+  was_passed(const ContactPair &pair,
+             const State       &before,
+             const Loads       &loads_before,
+             const State       &after,
+             const Loads       &loads_after);
+
+  /** The travel from the present place of the body until it touches a free
+   * node of the face, see RigidBody::travel_to(). Must be called on all
+   * ranks. */
+  double
+  remaining_travel(const ContactPair &pair,
+                   const State       &state,
+                   const Loads       &loads);
+
+  /** The way of the body until it is in a free node of the face, by the given
+   * depth and its velocity at present; infinite if it approaches none. Must be
+   * called on all ranks.
+   * @param direction the rates of the loads per way. */
+  double
+  way_to_shell(const ContactPair &pair,
+               const State       &state,
+               const Loads       &loads,
+               const LoadRates   &direction,
+               const double       depth);
+} // namespace Biface
+
+#endif

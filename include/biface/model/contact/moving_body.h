@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_contact_moving_body_h
+#define biface_model_contact_moving_body_h
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include <biface/contact/body_parameters.h>
+#include <biface/contact/rigid_body.h>
+#include <biface/contact/tread.h>
+
+namespace Biface
+{
+  /** The body of a ContactPair, at rest and after its motions: the foundation,
+   * which travels, or another body, which has motions of its own and may be on
+   * the foundation. */
+  class MovingBody
+  {
+  public:
+    /** The foundation. */
+    MovingBody(const RigidBody &at_rest, const TreadParameters &tread)
+      : body(at_rest), tread_height(tread.height.value_or(0))
+    {}
+
+    /** Another body, behind the tread if it touches it. */
+    MovingBody(const BodyParameters &other, const TreadParameters &tread)
+      : body(other.make().behind(tread.height.value_or(0)))
+      , tread_height(tread.height.value_or(0))
+      , other(other)
+    {}
+
+    const RigidBody &
+    at_rest() const
+    {
+      return body;
+    }
+
+    /** The body after the given travel from its place at rest. */
+    RigidBody
+    after_travel(const double travel) const
+    {
+      return body.moved(travel);
+    }
+
+    /** Whether the body is not the foundation, but moves with it. */
+    bool
+    is_on_foundation() const
+    {
+      return other && other->on_foundation;
+    }
+
+    /** Another body that is on this one, the foundation, after its travel. */
+    RigidBody
+    taken_along(const RigidBody &on_this, const double travel) const;
+
+    /** The body, which is not the foundation, after its own motions by the
+     * factors of the loads. The foundation takes those along that are on it.
+     * @param with_foundation the further motion of a body on the foundation. */
+    RigidBody
+    after_motions(
+      const std::vector<double>                         &factors,
+      const std::function<RigidBody(const RigidBody &)> &with_foundation) const;
+
+  private:
+    RigidBody                     body;
+    double                        tread_height;
+    std::optional<BodyParameters> other;
+  };
+} // namespace Biface
+
+#endif

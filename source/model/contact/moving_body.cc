@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <biface/model/contact/moving_body.h>
+#include <biface/model/state/state.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  RigidBody
+  MovingBody::taken_along(const RigidBody &on_this, const double travel) const
+  {
+    // the ground itself is below the tread
+    BodyMotion motion;
+    motion.translation = -body.direction();
+    motion.factor      = BodyMotion::travel_of_foundation;
+    const double moved = travel - tread_height;
+    return on_this.after_motions(
+      {motion},
+      [&](const unsigned int) { return moved; },
+      body.direction(),
+      Point<3>());
+  }
+
+
+  RigidBody
+  MovingBody::after_motions(
+    const std::vector<double>                         &factors,
+    const std::function<RigidBody(const RigidBody &)> &with_foundation) const
+  {
+    Assert(other, ExcInternalError());
+    const RigidBody moved = body.after_motions(
+      other->motions,
+      [&](const unsigned int position) { return factor_at(factors, position); },
+      other->axis / other->axis.norm(),
+      other->point);
+    return is_on_foundation() ? with_foundation(moved) : moved;
+  }
+} // namespace Biface
