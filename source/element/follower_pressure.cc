@@ -1,35 +1,143 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <cmath>
-
 #include <biface/element/follower_pressure.h>
 
 namespace Biface
 {
   using namespace dealii;
 
+  namespace
+  {
+    /** A point on @f$(-1,1)@f$. */
+    struct GaussPoint
+    {
+      double x, weight;
+    };
+
+    constexpr std::array<GaussPoint, 3> along_1{
+      {{-0.77459666924148337704, 5. / 9},
+       {0, 8. / 9},
+       {0.77459666924148337704, 5. / 9}}};
+
+    constexpr std::array<GaussPoint, 2> along_2{
+      {{-0.57735026918962576451, 1}, {0.57735026918962576451, 1}}};
+
+    /** Quadratic shape functions of the stations, and their derivatives. */
+    constexpr std::array<double, 3>
+    of_stations(const double x)
+    {
+      return {{x * (x - 1) / 2, 1 - x * x, x * (x + 1) / 2}};
+    }
+
+    constexpr std::array<double, 3>
+    slopes_of_stations(const double x)
+    {
+      return {{x - 0.5, -2 * x, x + 0.5}};
+    }
+
+    /** The linear shape functions of the sides of a cell. */
+    constexpr std::array<double, 2>
+    of_sides(const double x)
+    {
+      return {{(1 - x) / 2, (1 + x) / 2}};
+    }
+
+    constexpr std::array<double, 2> slope_of_side{{-0.5, 0.5}};
+
+    /** The matrix of @f$\mathbf a\times@f$. */
+    Tensor<2, 3>
+    cross_product_matrix(const Tensor<1, 3> &a)
+    {
+      Tensor<2, 3> A;
+      A[0][1] = -a[2];
+      A[0][2] = a[1];
+      A[1][0] = a[2];
+      A[1][2] = -a[0];
+      A[2][0] = -a[1];
+      A[2][1] = a[0];
+      return A;
+    }
+  } // namespace
+
+
   FollowerPressure::FollowerPressure(const ElementGeometry           &geometry,
                                      const MixedElement::NodalVector &V,
                                      const Resultants::Face           face,
-                                     const std::array<double, 4>     &pressure)
-    : geometry(geometry), face(face), pressure(pressure)
+                                     const std::array<double, 4> &at_vertices)
+    : geometry(geometry), face(face)
   {
+    const auto                 &positions = geometry.stations.positions[face];
+    std::array<Tensor<1, 3>, 4> v;
+    for (unsigned int q = 0; q < 4; ++q)
+      v[q] = MixedElement::face_displacement(V, q, face);
+
+    for (unsigned int i = 0; i < n_points[0]; ++i)
+      {
+        // on the two sides of the cell
+        std::array<Tensor<1, 3>, 2> x, slope;
+        const auto                  N = of_stations(along_1[i].x),
+                   dN                 = slopes_of_stations(along_1[i].x);
+        const auto of_node            = shapes(i);
+        for (unsigned int side = 0; side < 2; ++side)
+          {
+            for (unsigned int s = 0; s < ElementGeometry::Stations::n; ++s)
+              {
+                x[side] += N[s] * positions[s][side];
+                slope[side] += dN[s] * positions[s][side];
+              }
+            for (const unsigned int q : {2 * side, 2 * side + 1})
+              {
+                x[side] += of_node[q].value * v[q];
+                slope[side] += of_node[q].slope * v[q];
+              }
+          }
+
+        std::array<Tensor<1, 3>, 2> force;
+        for (unsigned int j = 0; j < n_points[1]; ++j)
+          {
+            const auto M     = of_sides(along_2[j].x),
+                       along = of_sides(along_1[i].x);
+            pressure[i][j]   = 0;
+            auto &t          = tangents[i][j];
+            for (unsigned int side = 0; side < 2; ++side)
+              {
+                t[0] += M[side] * slope[side];
+                t[1] += slope_of_side[side] * x[side] +
+                        M[side] * (geometry.stations.spin * x[side]);
+                pressure[i][j] +=
+                  M[side] * (along[0] * at_vertices[2 * side] +
+                             along[1] * at_vertices[2 * side + 1]);
+              }
+            pressure[i][j] *= (face == Resultants::inner ? 1 : -1) *
+                              along_1[i].weight * along_2[j].weight;
+            for (unsigned int side = 0; side < 2; ++side)
+              force[side] +=
+                M[side] * pressure[i][j] * cross_product_3d(t[0], t[1]);
+          }
+        for (unsigned int q = 0; q < 4; ++q)
+          MixedElement::add_face_force(
+            force[q >> 1] * of_node[q].value, q, face, nodal_force);
+      }
+  }
+
+
+  std::array<FollowerPressure::Shape, 4>
+  FollowerPressure::shapes(const unsigned int point) const
+  {
+    const auto N  = of_stations(along_1[point].x),
+               dN = slopes_of_stations(along_1[point].x);
+    const ElementGeometry::Stations &stations = geometry.stations;
+
+    std::array<Shape, 4> result;
     for (unsigned int q = 0; q < 4; ++q)
       {
-        const ElementGeometry::Vertex &vertex = geometry.vertices[q];
-        const DisplacementGradient u = displacement_gradient(geometry, V, q);
-        for (unsigned int a = 0; a < 2; ++a)
-          {
-            // along the face, which may be inclined to the reference surface
-            tangents[q][a] = u.g[face][a] + vertex.face_slope[face][a] * u.beta;
-            tangents[q][a] +=
-              vertex.metric.zeta[face][a] * vertex.metric.tangents[face][a];
-            tangents[q][a][2] += vertex.face_slope[face][a];
-          }
-        const Tensor<1, 3> force =
-          weight(q) * cross_product_3d(tangents[q][0], tangents[q][1]);
-        MixedElement::add_face_force(force, q, face, nodal_force);
+        const unsigned int side = (q & 1 ? 2 : 0);
+        result[q].value =
+          N[side] * stations.at_side[q] + N[1] / 2 * stations.at_middle[q];
+        result[q].slope =
+          dN[side] * stations.at_side[q] + dN[1] / 2 * stations.at_middle[q];
       }
+    return result;
   }
 
 
@@ -37,60 +145,41 @@ namespace Biface
   FollowerPressure::add_derivative(const double               factor,
                                    MixedElement::NodalMatrix &K) const
   {
-    for (unsigned int q = 0; q < 4; ++q)
+    std::array<std::array<Tensor<2, 3>, 4>, 4> stiffness;
+    for (unsigned int i = 0; i < n_points[0]; ++i)
       {
-        const ElementGeometry::Vertex &vertex = geometry.vertices[q];
-
-        // the derivative of t_1 x t_2 is that of one of the two tangents
-        const auto change_of_cross_product = [&](const unsigned int  a,
-                                                 const Tensor<1, 3> &dt) {
-          return a == 0 ? cross_product_3d(dt, tangents[q][1])
-                        : cross_product_3d(tangents[q][0], dt);
-        };
-
-        // each tangent depends on the vertex and on its neighbor along the
-        // line, see ElementGeometry::derivative()
-        Tensor<2, 3> own;
-        for (unsigned int a = 0; a < 2; ++a)
+        const auto                  of_node = shapes(i);
+        std::array<Tensor<2, 3>, 4> turned;
+        for (unsigned int q = 0; q < 4; ++q)
+          turned[q] = geometry.stations.spin * of_node[q].value;
+        for (unsigned int j = 0; j < n_points[1]; ++j)
           {
-            Tensor<2, 3> neighbor;
-            for (unsigned int j = 0; j < 3; ++j)
+            const auto         M = of_sides(along_2[j].x);
+            const Tensor<2, 3> t_1 =
+              factor * pressure[i][j] * cross_product_matrix(tangents[i][j][0]);
+            const Tensor<2, 3> t_2 =
+              factor * pressure[i][j] * cross_product_matrix(tangents[i][j][1]);
+            for (unsigned int s = 0; s < 4; ++s)
               {
-                Tensor<1, 3> unit;
-                unit[j]                   = vertex.slope[a];
-                const Tensor<1, 3> by_own = change_of_cross_product(
-                  a, unit + vertex.connection[a] * unit / vertex.slope[a]);
-                const Tensor<1, 3> by_neighbor =
-                  change_of_cross_product(a, -(vertex.turn[a] * unit));
-                for (unsigned int i = 0; i < 3; ++i)
-                  {
-                    own[i][j] += by_own[i];
-                    neighbor[i][j] = by_neighbor[i];
-                  }
+                const unsigned int side = s >> 1;
+                // of the area vector
+                const Tensor<2, 3> derivative =
+                  t_1 * (slope_of_side[side] * of_node[s].value +
+                         M[side] * turned[s]) -
+                  t_2 * (M[side] * of_node[s].slope);
+                for (unsigned int r = 0; r < 4; ++r)
+                  stiffness[r][s] +=
+                    M[r >> 1] * (transpose(of_node[r].value) * derivative);
               }
-            MixedElement::add_stiffness(factor * weight(q) * neighbor,
-                                        q,
-                                        MixedElement::face_sign[face],
-                                        q ^ (1 << a),
-                                        MixedElement::face_sign[face],
-                                        K);
           }
-        MixedElement::add_stiffness(factor * weight(q) * own,
-                                    q,
+      }
+    for (unsigned int r = 0; r < 4; ++r)
+      for (unsigned int s = 0; s < 4; ++s)
+        MixedElement::add_stiffness(stiffness[r][s],
+                                    r,
                                     MixedElement::face_sign[face],
-                                    q,
+                                    s,
                                     MixedElement::face_sign[face],
                                     K);
-      }
-  }
-
-
-  double
-  FollowerPressure::weight(const unsigned int vertex) const
-  {
-    // the slopes are 1/(A_a times the change of alpha_a)
-    const auto &slope = geometry.vertices[vertex].slope;
-    return (face == Resultants::inner ? 1 : -1) * pressure[vertex] /
-           (4 * std::abs(slope[0] * slope[1]));
   }
 } // namespace Biface

@@ -85,6 +85,8 @@ namespace Biface
     if (geometry.interpolation != Interpolation::components)
       interpolate_positions(face_heights);
 
+    set_stations(face_heights);
+
     center = surface.evaluate(surface.pull_back(at_center.quadrature_point(0)));
     metric_at_center = ThicknessMetric(center.curvature, heights_at_center);
     geometry.weight =
@@ -114,6 +116,63 @@ namespace Biface
           }
       }
     geometry.undeformed = StrainMeans::undeformed(geometry);
+  }
+
+
+  void
+  ShellFEValues::set_stations(const FaceHeights &face_heights)
+  {
+    ElementGeometry::Stations &stations = geometry.stations;
+    stations.spin.clear();
+    const bool turns = (geometry.interpolation == Interpolation::components);
+    const Tensor<1, 3> axis = surface.axis();
+    // a frame that turns needs the distance from its axis
+    const Tensor<1, 3> origin =
+      turns && axis.norm_square() > 0
+        ? Tensor<1, 3>((points[0].position * axis) * axis)
+        : Tensor<1, 3>(points[0].position);
+
+    for (unsigned int side = 0; side < 2; ++side)
+      {
+        const unsigned int left = 2 * side, right = left + 1;
+        const Point<2> alpha_left  = surface.pull_back(points[left].position),
+                       alpha_right = surface.pull_back(points[right].position);
+        const SurfacePoint middle  = surface.evaluate(
+          {(alpha_left[0] + alpha_right[0]) / 2, alpha_left[1]});
+        const SurfacePoint &frame = (turns ? middle : points[0]);
+        for (const unsigned int q : {left, right})
+          {
+            Tensor<2, 3> turn;
+            for (unsigned int i = 0; i < 3; ++i)
+              for (unsigned int j = 0; j < 3; ++j)
+                turn[i][j] = frame.frame[i] * points[q].frame[j];
+            stations.at_side[q] = turn;
+            stations.at_middle[q] =
+              (turns ? Tensor<2, 3>(unit_symmetric_tensor<3>()) : turn);
+          }
+        if (turns && side == 0)
+          stations.spin = middle.lame[1] /
+                          (2 * std::abs(geometry.vertices[left].slope[1]) *
+                           points[left].lame[1]) *
+                          middle.connection(1);
+
+        for (unsigned int face = 0; face < 2; ++face)
+          {
+            const auto position = [&](const SurfacePoint &at,
+                                      const double        height) {
+              return frame.to_frame(at.position + height * at.frame[2] -
+                                    origin);
+            };
+            const double height_left  = face_heights[left][face],
+                         height_right = face_heights[right][face];
+            auto &of_face             = stations.positions[face];
+            of_face[0][side]          = position(points[left], height_left);
+            of_face[2][side]          = position(points[right], height_right);
+            of_face[1][side] =
+              (turns ? position(middle, (height_left + height_right) / 2)
+                     : (of_face[0][side] + of_face[2][side]) / 2);
+          }
+      }
   }
 
 

@@ -23,7 +23,10 @@ namespace Biface
                       Patterns::MultipleSelection("maximum stress|Tsai-Wu"),
                       "List of criteria ('maximum stress', 'Tsai-Wu') whose "
                       "failure indices are written with the stresses of plies; "
-                      "they need the strengths of the materials.",
+                      "they need the strengths of the materials. In 'Tsai-Wu' "
+                      "the interaction F_12 of the stresses along and across "
+                      "the fibers is -sqrt(F_11 F_22)/2.",
+
                       // they have columns in history.csv
                       RestartChange::never);
     prm.add_action("Failure criteria", [this](const std::string &text) {

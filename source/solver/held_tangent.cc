@@ -164,8 +164,10 @@ namespace Biface
                         LA::SparseMatrix &K)
   {
     TimerOutput::Scope scope(timer, "Assembly");
-    equations.assemble(with_stresses_in_tangent(state),
-                       with_bodies_that_stay(loads));
+    Loads              now = with_bodies_that_stay(loads);
+    // with the loads at the end, as the stresses
+    now.linearized_at.reset();
+    equations.assemble(with_stresses_in_tangent(state), now);
     K.copy_from(equations.tangent());
   }
 

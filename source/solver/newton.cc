@@ -235,10 +235,8 @@ namespace Biface
     Symmetry
     symmetry(const EquationSystem &equations, const Loads &loads)
     {
-      if (equations.is_symmetric(loads))
+      if (equations.tangent_is_symmetric(loads))
         return Symmetry::full;
-      // loads with a potential are unsymmetric by the error of the
-      // discretization
       return equations.is_symmetric_but_for_loads(loads) ? Symmetry::nearly
                                                          : Symmetry::none;
     }

@@ -66,7 +66,10 @@ namespace Biface
                {"nonlinear", "linear"},
                "'nonlinear' (finite displacements) or 'linear' (linearized "
                "about the state at the start of the stage, with its "
-               "stresses; contact remains unilateral). Consecutive linear "
+               "stresses; contact remains unilateral, and what follows the "
+               "shell turns with its size at the start, so that without "
+               "contact all displacements are proportional to the change of "
+               "the loads). Consecutive linear "
                "stages are linearized about different states.");
     prm.add_parameter("Start from prestress",
                       from_prestress,

@@ -117,6 +117,12 @@ namespace Biface
       (stage.sealed ? progress.reached.pressure : level.pressure);
     loads.factors          = level.factors;
     loads.factors_of_shape = progress.factors_of_shape;
+    if (stage.theory == StrainTheory::linear)
+      {
+        const LoadLevel &start =
+          (progress.stage_begun ? progress.control.start : progress.reached);
+        loads.linearized_at = LoadRates{start.pressure, start.factors};
+      }
     if (rolls)
       loads.rolling = Rolling{level.angular_velocity};
     return loads;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The volume of the bias tire beyond its rim is that of the torus, for any
-// mesh, and the gradient of the volume is its derivative.
+// mesh, and the gradient of the volume is its derivative: on a shell whose
+// edges are held, the forces of a unit pressure.
 
 #include <deal.II/base/numbers.h>
 
@@ -131,5 +132,35 @@ main(int argc, char *argv[])
                                               : "gradient, outer face",
                   (volumes[1] - volumes[0]) / (2 * h) / predicted - 1,
                   1e-7);
+    }
+
+  for (const auto interpolation :
+       {Interpolation::components, Interpolation::Cartesian})
+    {
+      const auto mesh = coarse_torus(Layup(Layup::Parameters(), cord_ply()),
+                                     StrainSampling::vertices,
+                                     true,
+                                     interpolation);
+      ContactPair::Parameters contact_parameters;
+      contact_parameters.condition.regularization = 1;
+      const ContactInteraction contact(*mesh, contact_parameters);
+      const ShellEquations equations(*mesh, make_force_terms(*mesh, contact));
+      State                state(*mesh);
+      state.displacement = some_displacement(*mesh, 5, 1);
+      LoadRates unit;
+      unit.pressure      = 1;
+      const LA::Vector f = equations.load_direction(state, Loads(), unit);
+      LA::Vector       difference =
+        Cavity(*mesh, Cavity::Parameters(), Resultants::inner)
+          .volume_gradient(state);
+      mesh->condense(difference);
+      difference -= f;
+      const double deviation = difference.l2_norm(), norm = f.l2_norm();
+      check_small(interpolation == Interpolation::Cartesian
+                    ? "forces are the gradient, vectors interpolated"
+                    : "forces are the gradient",
+                  deviation,
+                  1e-13,
+                  norm);
     }
 }

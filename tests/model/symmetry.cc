@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The tangent is symmetric, and says so, unless a foundation is there with the
-// consistent multiplier mass, or a follower pressure that is not zero, or the
-// law is not symmetric.
+// consistent multiplier mass, or a follower pressure that is not zero on a
+// shell with free edges, or the law is not symmetric. On a shell whose edges
+// are held, a follower pressure leaves it symmetric.
 
 #include <biface/laminate/layup.h>
 #include <biface/model/contact/approach.h>
@@ -22,18 +23,21 @@ using namespace Biface;
 namespace
 {
   void
-  test(const std::string &name,
-       const ThicknessLaw law,
-       const MortarMatrix mass,
-       const PressureKind kind,
-       const bool         symmetric,
-       const bool         with_pressure,
-       const bool         with_foundation)
+  test(const std::string  &name,
+       const ThicknessLaw  law,
+       const MortarMatrix  mass,
+       const PressureKind  kind,
+       const bool          symmetric,
+       const bool          with_pressure,
+       const bool          with_foundation,
+       const bool          closed        = false,
+       const Interpolation interpolation = Interpolation::components)
   {
     Layup::Parameters parameters;
     parameters.law = law;
     const Layup layup(parameters, cord_ply());
-    const auto  mesh = coarse_torus(layup);
+    const auto  mesh =
+      coarse_torus(layup, StrainSampling::vertices, closed, interpolation);
 
     ContactPair::Parameters contact_parameters;
     contact_parameters.condition.mortar_matrix     = mass;
@@ -65,7 +69,7 @@ namespace
 
     check_true(name,
                (skew < 1e-12) == symmetric &&
-                 equations.is_symmetric(loads) == symmetric);
+                 equations.tangent_is_symmetric(loads) == symmetric);
   }
 } // namespace
 
@@ -85,7 +89,24 @@ main(int argc, char *argv[])
   test("symmetric: no foundation", law, consistent, dead, true, true, false);
   test("not: consistent mass", law, consistent, dead, false, true, true);
   test("symmetric: lumped mass", law, lumped, dead, true, true, true);
-  test("not: follower pressure", law, lumped, follower, false, true, false);
+  test("not: follower pressure and free edges",
+       law,
+       lumped,
+       follower,
+       false,
+       true,
+       false);
+  for (const auto interpolation :
+       {Interpolation::components, Interpolation::Cartesian})
+    test("symmetric: follower pressure and held edges",
+         law,
+         lumped,
+         follower,
+         true,
+         true,
+         true,
+         true,
+         interpolation);
   test("symmetric: follower pressure of 0",
        law,
        lumped,

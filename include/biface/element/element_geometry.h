@@ -60,6 +60,35 @@ namespace Biface
 
     std::array<Vertex, 4> vertices;
 
+    /** The faces along the cell, see FollowerPressure: quadratic in
+     * @f$\alpha_1@f$ between three stations, the two sides and the middle of
+     * the cell, and linear in @f$\alpha_2@f$, with components in a frame that
+     * turns with @f$\alpha_2@f$. That is the frame of the surface in the
+     * middle if components are interpolated, and the one of vertex 0, which
+     * does not turn, if vectors are. */
+    struct Stations
+    {
+      static constexpr unsigned int n = 3;
+
+      /** The positions of the undeformed faces, `[face][station][side of
+       * alpha_2]`, from a point on the axis around which the frame turns. Unit:
+       * length. */
+      std::array<std::array<std::array<dealii::Tensor<1, 3>, 2>, n>, 2>
+        positions;
+
+      /** The matrices that turn the components at a vertex into those at the
+       * station of its own side, and at the one in the middle, which has the
+       * mean of both sides. */
+      std::array<dealii::Tensor<2, 3>, 4> at_side, at_middle;
+
+      /** The derivative of a vector that keeps its components, by half of the
+       * cell's length in @f$\alpha_2@f$; skew-symmetric. */
+      dealii::Tensor<2, 3> spin;
+    };
+
+    /** The faces along the cell, from which the forces of a pressure follow. */
+    Stations stations;
+
     /** The matrix that turns components at vertex @p s before the interpolation
      * adds them to components at vertex @p r, see Vertex::turn. */
     dealii::Tensor<2, 3>

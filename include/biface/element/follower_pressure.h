@@ -15,13 +15,26 @@ namespace Biface
    * derivative.
    *
    * The pressure pushes the face toward the shell, on its current area and
-   * along its current normal. With the deformed tangents @f$\mathbf t_a^\pm@f$
-   * of the face, which are
-   * @f$\zeta_a^\pm\mathbf e_a + \mathbf v_{,a}^\pm/A_a@f$ if the thickness is
-   * constant, the force on an area element of the reference surface is
-   * @f$\mp p\,\mathbf t_1\times\mathbf t_2\,A_1A_2\,d\alpha_1 d\alpha_2@f$. It
-   * is integrated at the vertices, so that each node carries the force on the
-   * area around it. The derivative is not symmetric.
+   * along its current normal. With the position @f$\mathbf x(\xi_1,\xi_2)@f$ of
+   * the deformed face, which ElementGeometry::Stations interpolate, the force
+   * that does work on a nodal displacement @f$\mathbf v_q@f$ is
+   * @f[
+   *   \mathbf f_q = \mp\int p\,
+   *     \Bigl(\frac{\partial\mathbf x}{\partial\mathbf v_q}\Bigr)^T
+   *     \bigl(\mathbf x_{,1}\times\mathbf x_{,2}\bigr)\,d\xi_1 d\xi_2 ,
+   *   \qquad p = \sum_q N_q\,p_q .
+   * @f]
+   * For a constant pressure the integrand is a polynomial, and the integral is
+   * exact. The faces of neighboring cells have their sides in common, so that
+   * the forces on a closed shell are the pressure times the gradient of the
+   * volume that these faces enclose, and their derivative is symmetric. Single
+   * cells do not have a symmetric derivative.
+   *
+   * If vectors are interpolated, the face is bilinear: with the products
+   * @f$\mathbf n_q=\mathbf x_{,1}\times\mathbf x_{,2}@f$ at the vertices, the
+   * force of a unit pressure is a third of the sum of @f$\mathbf n_q@f$ and of
+   * those at both neighbors. If components are, the face between wide cells
+   * around an axis is round.
    */
   class FollowerPressure
   {
@@ -47,18 +60,31 @@ namespace Biface
     add_derivative(const double factor, MixedElement::NodalMatrix &K) const;
 
   private:
-    const ElementGeometry      &geometry;
-    const Resultants::Face      face;
-    const std::array<double, 4> pressure;
-    MixedElement::NodalVector   nodal_force;
-    /** The deformed tangents @f$\mathbf t_a^\pm@f$ of the face at each
-     * vertex. */
-    std::array<std::array<dealii::Tensor<1, 3>, 2>, 4> tangents;
+    /** The numbers of Gauss points along both coordinates: for polynomials of
+     * the degrees 5 and 3. */
+    static constexpr std::array<unsigned int, 2> n_points{{3, 2}};
 
-    /** The pressure times the area of the reference surface at a vertex,
-     * positive if it acts along the normal. */
-    double
-    weight(const unsigned int vertex) const;
+    /** How the position at a point along @f$\alpha_1@f$, on the side of a
+     * vertex, depends on the components at the vertex; and the derivative of
+     * that by @f$\xi_1@f$. */
+    struct Shape
+    {
+      dealii::Tensor<2, 3> value, slope;
+    };
+
+    std::array<Shape, 4>
+    shapes(const unsigned int point) const;
+
+    const ElementGeometry &geometry;
+    const Resultants::Face face;
+    /** At the quadrature points, times the weight; positive if it acts along
+     * the normal. */
+    std::array<std::array<double, n_points[1]>, n_points[0]> pressure;
+    /** The derivatives of the deformed position. */
+    std::array<std::array<std::array<dealii::Tensor<1, 3>, 2>, n_points[1]>,
+               n_points[0]>
+                              tangents;
+    MixedElement::NodalVector nodal_force;
   };
 } // namespace Biface
 

@@ -112,6 +112,10 @@ namespace Biface
     void
     interpolate_positions(const FaceHeights &face_heights);
 
+    /** Set ElementGeometry::stations. */
+    void
+    set_stations(const FaceHeights &face_heights);
+
     const ReferenceSurface             &surface;
     const dealii::MappingManifold<2, 3> mapping;
     const dealii::FE_Q<2, 3>            fe;

@@ -43,6 +43,34 @@ namespace Biface
   }
 
 
+  namespace
+  {
+    /** In linear strain theory, the loads that turn with the shell, and the
+     * change since then of those that do not. */
+    std::pair<Loads, LoadRates>
+    linearized(const Loads &loads)
+    {
+      Loads start;
+      start.rolling = loads.rolling;
+      LoadRates change;
+      change.factors.assign(loads.factors.size(), 0.);
+      start.pressure = loads.pressure;
+      start.factors  = loads.factors;
+      if (const auto &at = loads.linearized_at)
+        {
+          start.pressure  = at->pressure;
+          change.pressure = loads.pressure - at->pressure;
+          for (unsigned int i = 0; i < loads.factors.size(); ++i)
+            {
+              start.factors[i]  = factor_at(at->factors, i);
+              change.factors[i] = loads.factors[i] - start.factors[i];
+            }
+        }
+      return {start, change};
+    }
+  } // namespace
+
+
   void
   ShellEquations::add_forces(const unsigned int     begin,
                              const unsigned int     end,
@@ -53,25 +81,24 @@ namespace Biface
   {
     const Cell        &cell = *element.cell;
     const unsigned int c    = element.index;
-    const auto         add  = [&](const unsigned int               begin,
-                         const unsigned int               end,
-                         const State                     &state,
-                         const MixedElement::NodalVector &V) {
-      for (unsigned int t = begin; t < end; ++t)
-        if (acts_on(*terms[t], element, state, loads))
-          terms[t]->add({c, cell, V, state, loads}, forces);
-    };
-
-    const auto  V    = mesh.cell_values(state.displacement, cell);
-    const auto &base = state.linearization_point;
+    const auto         V    = mesh.cell_values(state.displacement, cell);
+    const auto        &base = state.linearization_point;
     if (base && begin < n_linearized)
       {
         const auto V_0 = mesh.cell_values(base->displacement, cell);
         const auto dV  = V - V_0;
         // section 7 of doc/theory.md: the forces about the state at the start
         // of the stage, with their tangent there; laws of cords that go slack
-        // remain what they are
-        add(std::max(begin, 1u), end, *base, V_0);
+        // remain what they are. The product of a change of the loads and a
+        // displacement is of second order
+        const auto [start, change] = linearized(loads);
+        for (unsigned int t = std::max(begin, 1u); t < end; ++t)
+          if (acts_on(*terms[t], element, *base, start))
+            {
+              const ForceTerm::CellState at{c, cell, V_0, *base, start};
+              terms[t]->add(at, forces);
+              terms[t]->add_load_derivative(at, change, forces.load);
+            }
         for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
           for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
             forces.force[i] -= forces.tangent[i][j] * dV[j];
@@ -81,7 +108,9 @@ namespace Biface
         forces.square = forces.force.norm_square();
       }
     else
-      add(begin, end, state, V);
+      for (unsigned int t = begin; t < end; ++t)
+        if (acts_on(*terms[t], element, state, loads))
+          terms[t]->add({c, cell, V, state, loads}, forces);
   }
 
 

@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 #include <biface/base/errors.h>
 #include <biface/element/follower_pressure.h>
 #include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/forces/cavity.h>
+#include <biface/model/forces/end_plates.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/surface/reference_surface.h>
 
@@ -68,16 +70,17 @@ namespace Biface
     , axis(mesh.get_surface().axis())
     , rim_radius(parameters.rim_radius ? *parameters.rim_radius
                                        : radius_of_edges())
+    , of_planes(
+        axis.norm_square() > 0
+          ? forces_on_planes(
+              mesh, face, {Edge::alpha_1_min, Edge::alpha_1_max}, rim_radius)
+          : mesh.owned_vector())
   {
-    double sampled = 0, exact = 0;
+    double exact = 0;
     for (const Cell &cell : mesh.wall_elements())
-      {
-        sampled += flux(cell, MixedElement::NodalVector());
-        exact += exact_flux(cell);
-      }
-    exact    = Utilities::MPI::sum(exact, mesh.communicator);
-    constant = parameters.volume.value_or(exact) -
-               Utilities::MPI::sum(sampled, mesh.communicator);
+      exact += exact_flux(cell);
+    exact      = Utilities::MPI::sum(exact, mesh.communicator);
+    undeformed = parameters.volume.value_or(exact);
     if (!parameters.volume && !(exact > 0))
       throw InputError("Gas/Cavity volume",
                        "computed",
@@ -93,19 +96,20 @@ namespace Biface
   {
     double sum = 0;
     for (const Cell &cell : mesh.wall_elements())
-      sum += flux(cell, mesh.cell_values(state.displacement, cell));
-    return Utilities::MPI::sum(sum, mesh.communicator) + constant;
+      sum += swept(cell, mesh.cell_values(state.displacement, cell));
+    return undeformed + Utilities::MPI::sum(sum, mesh.communicator) +
+           of_planes * owned_part(state.displacement);
   }
 
 
   LA::Vector
   Cavity::volume_gradient(const State &state) const
   {
-    LA::Vector gradient = mesh.owned_vector();
+    LA::Vector gradient = of_planes;
     for (const Cell &cell : mesh.wall_elements())
       {
         MixedElement::NodalVector of_cell;
-        flux(cell, mesh.cell_values(state.displacement, cell), &of_cell);
+        swept(cell, mesh.cell_values(state.displacement, cell), &of_cell);
         mesh.add_nodal_forces(cell, of_cell, gradient);
       }
     gradient.compress(VectorOperation::add);
@@ -113,72 +117,47 @@ namespace Biface
   }
 
 
-  std::pair<Tensor<1, 3>, Tensor<2, 3>>
+  Tensor<1, 3>
   Cavity::field(const Point<3> &x) const
   {
     if (axis.norm_square() == 0)
       {
         const Tensor<1, 3> e_z({0, 0, 1});
-        return {(x * e_z) * e_z, outer_product(e_z, e_z)};
+        return (x * e_z) * e_z;
       }
-
-    Tensor<2, 3> gradient = unit_symmetric_tensor<3>();
-    // with s = r e_r: F = (1 - r_0^2/r^2) s/2
-    gradient -= outer_product(axis, axis);
-    const Tensor<1, 3> s     = gradient * x;
-    const double       part  = rim_radius * rim_radius / s.norm_square();
-    const double       scale = (rim_radius > 0 ? (1 - part) / 2 : 0.5);
-    gradient *= scale;
-    if (rim_radius > 0)
-      gradient += part / s.norm_square() * outer_product(s, s);
-    return {scale * s, gradient};
+    const Tensor<1, 3> s = x - (x * axis) * axis;
+    return rim_radius > 0
+             ? (1 - rim_radius * rim_radius / s.norm_square()) / 2 * s
+             : s / 2;
   }
 
 
   double
-  Cavity::flux(const Cell                      &cell,
-               const MixedElement::NodalVector &V,
-               MixedElement::NodalVector       *gradient) const
+  Cavity::swept(const Cell                      &cell,
+                const MixedElement::NodalVector &V,
+                MixedElement::NodalVector       *gradient) const
   {
-    // by the quadrature of the pressure, so that its work is the change of the
-    // volume: a sealed gas has a potential
-    const FollowerPressure unit_pressure(cell.geometry, V, face);
-
-    double                    sum = 0;
-    MixedElement::NodalVector field_at_vertices;
-    for (unsigned int q = 0; q < 4; ++q)
+    MixedElement::NodalVector mean;
+    MixedElement::NodalMatrix derivative;
+    for (auto &row : derivative)
+      row.fill(0);
+    // Simpson's rule along the way is exact
+    for (const auto &[part, weight] : std::array<std::pair<double, double>, 3>{
+           {{0., 1. / 6}, {0.5, 4. / 6}, {1., 1. / 6}}})
       {
-        const Tensor<2, 3> &axes    = cell.geometry.vertices[q].axes;
-        const SurfacePoint &surface = mesh.nodes[cell.nodes[q]].surface;
-        const auto [F, dF] =
-          field(surface.position + height(cell, q) * surface.frame[2] +
-                axes * MixedElement::face_displacement(V, q, face));
-        // the force of a unit pressure is the area vector
-        const Tensor<1, 3> area =
-          MixedElement::face_force(unit_pressure.force(), q, face);
-        const Tensor<1, 3> components = F * axes;
-        sum += components * area;
-        if (gradient)
-          {
-            MixedElement::add_face_force(
-              (axes * area) * dF * axes, q, face, *gradient);
-            for (unsigned int i = 0; i < 3; ++i)
-              field_at_vertices[MixedElement::dof(q, i, MixedElement::mean)] =
-                components[i];
-          }
+        const FollowerPressure unit(cell.geometry, part * V, face);
+        mean += weight * unit.force();
+        if (gradient && part > 0)
+          unit.add_derivative(part * weight, derivative);
       }
     if (gradient)
       {
-        MixedElement::NodalMatrix derivative;
-        for (auto &row : derivative)
-          row.fill(0);
-        unit_pressure.add_derivative(1, derivative);
+        *gradient += mean;
         for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
-          if (field_at_vertices[i] != 0)
-            for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
-              (*gradient)[j] += field_at_vertices[i] * derivative[i][j];
+          for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
+            (*gradient)[j] += V[i] * derivative[i][j];
       }
-    return sum;
+    return mean * V;
   }
 
 
@@ -226,7 +205,7 @@ namespace Biface
             at.lame[a] * (1 + at.curvature[a] * delta) * at.frame[a] +
             slope[a] * at.frame[2];
         sum += quadrature.weight(q) * size[0] * size[1] *
-               (field(at.position + delta * at.frame[2]).first *
+               (field(at.position + delta * at.frame[2]) *
                 cross_product_3d(tangents[0], tangents[1]));
       }
     return face == Resultants::inner ? sum : -sum;

@@ -13,11 +13,14 @@ namespace Biface
 {
   using namespace dealii;
 
-  EndPlates::EndPlates(const ShellMesh &mesh, const PressureLoad &pressure)
-    : at_unit_pressure(mesh.owned_vector())
+  LA::Vector
+  forces_on_planes(const ShellMesh         &mesh,
+                   const Resultants::Face   face,
+                   const std::vector<Edge> &edges,
+                   const double             radius)
   {
-    const Tensor<1, 3>       axis  = mesh.get_surface().axis();
-    const std::vector<Edge> &edges = pressure.end_plates;
+    LA::Vector         result = mesh.owned_vector();
+    const Tensor<1, 3> axis   = mesh.get_surface().axis();
     for (const BoundarySegment &segment : mesh.boundary)
       if (std::find(edges.begin(), edges.end(), segment.edge) != edges.end())
         for (const unsigned int n : segment.nodes)
@@ -25,16 +28,18 @@ namespace Biface
             const Node         &node    = mesh.nodes[n];
             const SurfacePoint &surface = node.surface;
             const Tensor<1, 3>  x(surface.position +
-                                 node.face_heights[pressure.face] *
-                                   surface.frame[2]);
+                                 node.face_heights[face] * surface.frame[2]);
             const Tensor<1, 3>  arm = x - (x * axis) * axis;
-            // half of the area between the axis and the side of a cell, which
+            // half of the area between the radius and the side of a cell, which
             // is straight if positions are interpolated
             const double angle = segment.length / surface.lame[1];
             const double area =
-              arm.norm_square() / 4 *
-              (mesh.interpolation == Interpolation::Cartesian ? std::sin(angle)
-                                                              : angle);
+              (arm.norm_square() *
+                 (mesh.interpolation == Interpolation::Cartesian
+                    ? std::sin(angle)
+                    : angle) -
+               radius * radius * angle) /
+              4;
 
             // away from the cavity, which is on the side of the face
             const Tensor<1, 3> of_axis =
@@ -42,9 +47,8 @@ namespace Biface
             const bool at_end = (segment.edge == Edge::alpha_1_max);
             const bool follows =
               cross_product_3d(axis, of_axis) * surface.frame[1] > 0;
-            const double outward =
-              (follows == at_end ? -1. : 1.) *
-              (pressure.face == Resultants::inner ? 1. : -1.);
+            const double outward = (follows == at_end ? -1. : 1.) *
+                                   (face == Resultants::inner ? 1. : -1.);
 
             const Tensor<1, 3> force = surface.to_frame(outward * area * axis);
             for (unsigned int i = 0; i < 3; ++i)
@@ -53,11 +57,12 @@ namespace Biface
                 for (const double part : node.spread())
                   values.push_back(part * force[i]);
                 const auto *first = &node.dofs[node.position(i, 0)];
-                at_unit_pressure.add(std::vector<types::global_dof_index>(
-                                       first, first + node.n_parts()),
-                                     values);
+                result.add(std::vector<types::global_dof_index>(
+                             first, first + node.n_parts()),
+                           values);
               }
           }
-    at_unit_pressure.compress(VectorOperation::add);
+    result.compress(VectorOperation::add);
+    return result;
   }
 } // namespace Biface

@@ -45,7 +45,8 @@ namespace Biface
                "The type of the pressure of the stages: 'dead' (it keeps its "
                "initial direction and acts on the undeformed area, see 'Area "
                "of face loads') or 'follower' (true pressure on the deformed "
-               "face; the tangent is not symmetric).");
+               "face; at an edge that is free to move the tangent is not "
+               "symmetric).");
     add_choice(prm,
                "Pressure face",
                face,
@@ -164,7 +165,8 @@ namespace Biface
   {
     const FollowerPressure unit = unit_pressure(at);
     forces.load += at.loads.pressure * unit.force();
-    unit.add_derivative(-at.loads.pressure, forces.tangent);
+    if (forces.with_tangent)
+      unit.add_derivative(-at.loads.pressure, forces.tangent);
   }
 
 

@@ -59,9 +59,17 @@ namespace Biface
     virtual bool
     is_symmetric(const Loads &loads) const = 0;
 
+    /** Whether tangent() of the last assembly, for these loads, is symmetric:
+     * loads that follow a closed shell, or one whose edges are held, have a
+     * potential. Must be called on all ranks. */
+    virtual bool
+    tangent_is_symmetric(const Loads &loads) const
+    {
+      return is_symmetric(loads);
+    }
+
     /** Whether loads that follow the shell are all that makes the tangent
-     * unsymmetric for these loads. Where its edges are held, only the error of
-     * the discretization does. */
+     * unsymmetric for these loads, as at a free edge. */
     virtual bool
     is_symmetric_but_for_loads(const Loads &loads) const = 0;
 

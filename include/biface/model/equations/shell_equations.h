@@ -74,6 +74,12 @@ namespace Biface
     bool
     is_symmetric(const Loads &loads, const LA::SparseMatrix &tangent) const;
 
+    bool
+    tangent_is_symmetric(const Loads &loads) const override
+    {
+      return is_symmetric(loads, tangent());
+    }
+
     /** Let the terms set what they remember, see ForceTerm::start_stage().
      * @param loads those at the start of the stage. */
     void

@@ -7,7 +7,6 @@
 #include <deal.II/base/tensor.h>
 
 #include <optional>
-#include <utility>
 
 #include <biface/base/linear_algebra.h>
 #include <biface/laminate/resultants.h>
@@ -20,22 +19,28 @@ namespace Biface
 
 
   /**
-   * The space inside the shell that a gas fills. Its volume is the flux through
-   * the face under pressure of a vector field @f$\mathbf F@f$ with the
-   * divergence 1,
+   * The space inside the shell that a gas fills. The undeformed volume is the
+   * flux through the exact face under pressure of a vector field with the
+   * divergence 1: for a surface of revolution
    * @f[
-   *   V = \int \mathbf F\cdot\mathbf n\,dA,\qquad
-   *   \mathbf F = \frac{r^2-r_0^2}{2r}\,\mathbf e_r
+   *   V_0 = \int \mathbf F\cdot\mathbf n\,dA,\qquad
+   *   \mathbf F = \frac{r^2-r_0^2}{2r}\,\mathbf e_r ,
    * @f]
-   * for a surface of revolution. No flux passes through the cylinder of the
-   * rim, of radius @f$r_0@f$, nor through planes that contain the axis or are
-   * orthogonal to it: these may close the cavity. For a plane
-   * @f$\mathbf F=z\,\mathbf e_z@f$: its edges may move in the plane, or in
-   * planes orthogonal to it. Then only the change of the volume follows from
-   * the shell.
-   *
-   * The undeformed volume is integrated over the exact surface, its change at
-   * the nodes, as the forces of the pressure.
+   * which does not pass through the cylinder of the rim, of radius
+   * @f$r_0@f$, nor through planes that contain the axis or are orthogonal to
+   * it: these may close the cavity. The change of the volume is what the face
+   * sweeps as the nodal displacements grow in proportion. With the forces
+   * @f$\mathbf f@f$ of a unit pressure, FollowerPressure, which are quadratic
+   * in the displacements,
+   * @f[
+   *   V - V_0 = \frac{\mathbf f(0) + 4\,\mathbf f(\mathbf V/2) +
+   *     \mathbf f(\mathbf V)}{6}\cdot\mathbf V ,
+   * @f]
+   * and what planes at the edges of the first coordinate, of their undeformed
+   * area down to the rim, sweep as they move along the axis with the edge. The
+   * gradient of the volume is @f$\mathbf f(\mathbf V)@f$, with that of the
+   * planes, wherever the edges sweep no area that is not in these planes or
+   * cylinders.
    */
   class Cavity
   {
@@ -77,17 +82,17 @@ namespace Biface
     volume_gradient(const State &state) const;
 
   private:
-    /** The vector field @f$\mathbf F@f$ at a point, and its derivative. */
-    std::pair<dealii::Tensor<1, 3>, dealii::Tensor<2, 3>>
+    /** The vector field @f$\mathbf F@f$ at a point; for a plane @f$z\,\mathbf
+     * e_z@f$. */
+    dealii::Tensor<1, 3>
     field(const dealii::Point<3> &x) const;
 
-    /** The flux through a cell with the given nodal displacements, integrated
-     * at the vertices.
+    /** The volume that the face of a cell sweeps.
      * @param gradient its derivative is added, unless null. */
     double
-    flux(const Cell                      &cell,
-         const MixedElement::NodalVector &V,
-         MixedElement::NodalVector       *gradient = nullptr) const;
+    swept(const Cell                      &cell,
+          const MixedElement::NodalVector &V,
+          MixedElement::NodalVector       *gradient = nullptr) const;
 
     /** The flux through the undeformed face of a cell. */
     double
@@ -108,9 +113,10 @@ namespace Biface
     /** The axis of revolution; zero if there is none. */
     const dealii::Tensor<1, 3> axis;
     const double               rim_radius;
-    /** The volume that is added to the flux through the shell. Unit:
-     * length^3. */
-    double constant = 0;
+    /** The derivative of what the planes at the edges sweep. */
+    const LA::Vector of_planes;
+    /** The volume under the undeformed shell. */
+    double undeformed;
   };
 } // namespace Biface
 

@@ -3,6 +3,8 @@
 #ifndef biface_model_forces_end_plates_h
 #define biface_model_forces_end_plates_h
 
+#include <vector>
+
 #include <biface/base/linear_algebra.h>
 #include <biface/model/forces/force_term.h>
 #include <biface/model/forces/pressure_load.h>
@@ -11,18 +13,34 @@
 namespace Biface
 {
   /**
+   * The nodal forces of a unit pressure on planes orthogonal to the axis that
+   * reach from the cylinder of a radius to edges of the first coordinate: along
+   * the axis, away from the cavity, on the undeformed area within the edge of
+   * the face under pressure. The edge is a circle or, where the element
+   * interpolates positions, the polygon through the nodes, so that the planes
+   * balance the pressure on the shell. As a derivative by the nodal unknowns,
+   * they are that of the volume that the planes sweep as they move along the
+   * axis.
+   */
+  LA::Vector
+  forces_on_planes(const ShellMesh         &mesh,
+                   const Resultants::Face   face,
+                   const std::vector<Edge> &edges,
+                   const double             radius);
+
+
+  /**
    * The pressure on rigid plates that close edges of a surface of revolution,
-   * which pass it on to the edge: along the axis, on the area within the edge
-   * of the face under pressure before the deformation. That is the circle or,
-   * where the element interpolates positions, the polygon through the nodes, so
-   * that the plates balance the pressure on the shell. With Cavity, whose
-   * volume includes what the plate sweeps along the axis, a sealed gas remains
-   * conservative.
+   * which pass it on to the edge, see forces_on_planes(). With Cavity, whose
+   * volume includes what the plates sweep, a sealed gas is conservative.
    */
   class EndPlates : public ForceTerm
   {
   public:
-    EndPlates(const ShellMesh &mesh, const PressureLoad &pressure);
+    EndPlates(const ShellMesh &mesh, const PressureLoad &pressure)
+      : at_unit_pressure(
+          forces_on_planes(mesh, pressure.face, pressure.end_plates, 0))
+    {}
 
     void
     add_dead_forces(const LoadRates &loads,

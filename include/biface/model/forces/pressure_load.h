@@ -25,8 +25,9 @@ namespace Biface
     /** The pressure keeps its initial direction and acts on an undeformed area,
      * see AreaMeasure. */
     dead,
-    /** The pressure acts on the deformed face, along its normal. The tangent is
-     * not symmetric. */
+    /** The pressure acts on the deformed face, along its normal. If it is
+     * uniform and no edge is free to sweep an area, it has a potential, see
+     * FollowerPressure, and the tangent is symmetric. */
     follower
   };
 
