@@ -503,6 +503,9 @@ namespace Biface
 
     State &state       = perturbed.state;
     state.displacement = step.state.displacement;
+    // its own, which depend on the entries of the stages
+    state.time_step =
+      perturbed.run->time_step_to(perturbed.trial.level(step.mu));
     for (unsigned int i = 0; i < state.contacts.size(); ++i)
       {
         state.contacts[i].active   = step.state.contacts[i].active;
@@ -609,9 +612,8 @@ namespace Biface
 
     for (const auto &perturbed : perturbed_runs)
       {
-        perturbed->before          = perturbed->state;
-        perturbed->state.time_step = step.state.time_step;
-        perturbed->level_before    = perturbed->progress.reached;
+        perturbed->before       = perturbed->state;
+        perturbed->level_before = perturbed->progress.reached;
       }
     Linearization tangent(model, linear_solver, step);
     if (!tangent.failure)

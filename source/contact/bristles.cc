@@ -83,23 +83,30 @@ namespace Biface
 
 
     /** The part of the segment between two stations that touches, with its
-     * derivatives by both clearances. */
+     * derivatives by the clearance before and by the pressure at its end. */
     struct TouchingPart
     {
-      double                value = 1;
-      std::array<double, 2> per_clearance{};
+      double value         = 1;
+      double per_clearance = 0;
+      double per_pressure  = 0;
     };
 
 
+    /** @param stiffness of a tread, whose clearance at the end of the segment
+     * is linear with the one before. */
     TouchingPart
-    touching_part(const double before, const double at)
+    touching_part(const double before,
+                  const double pressure,
+                  const double stiffness)
     {
       if (!(before > 0))
         return {};
-      if (!(at < 0))
-        return {0, {{0, 0}}};
-      const double all = before - at;
-      return {-at / all, {{at / (all * all), -before / (all * all)}}};
+      if (!(pressure > 0))
+        return {0, 0, 0};
+      const double all = pressure + stiffness * before;
+      return {pressure / all,
+              -stiffness * pressure / (all * all),
+              stiffness * before / (all * all)};
     }
   } // namespace
 
@@ -149,18 +156,31 @@ namespace Biface
   {
     const double        speed = std::abs(rolling.angular_velocity);
     const Tensor<1, 3> &n     = at.at_body.normal;
+    // where contact is stiff, the pressure of a clearance that is not yet that
+    // of an equilibrium would be many times too large
+    const double exact    = -condition.multiplier(at.at_body.clearance);
+    const double pressure = at.pressure.value_or(exact);
+    // in compression over shear, that of rubber, see Tread: on stiffer ground
+    // the edge of the footprint would jump from node to node
+    constexpr double stiffest_tread = 4;
 
     // the trial deflection and its derivatives, times the angular speed
     const TouchingPart theta =
       before.touches
         ? TouchingPart()
-        : touching_part(before.at_body.clearance, at.at_body.clearance);
+        : touching_part(before.at_body.clearance,
+                        pressure,
+                        std::min(condition.multiplier_stiffness(),
+                                 stiffest_tread * law.stiffness()));
     const GroundStep ground =
       ground_step(rolling.ground, before.x, at.angle, speed);
     const Tensor<1, 3> motion       = speed * (at.x - before.x) - ground.value;
     const Tensor<1, 2> along_motion = along(at.tangents, motion);
     Tensor<1, 2>       trial =
       speed * bristle_before.deflection + theta.value * along_motion;
+    const Tensor<1, 2> trial_extrapolation =
+      speed * bristle_before.extrapolation +
+      (exact - pressure) * theta.per_pressure * along_motion;
 
     bristle.first        = bristle_before.first;
     bristle.per_position = bristle_before.per_position;
@@ -175,10 +195,11 @@ namespace Biface
         const Tensor<1, 3> &t = at.tangents[i];
         by_before[i] -=
           theta.value * (speed * t + t * ground.per_position) +
-          theta.per_clearance[0] * along_motion[i] * before.at_body.normal;
+          theta.per_clearance * along_motion[i] * before.at_body.normal;
         by_itself[i] +=
-          theta.value * (speed * t + motion * at.tangent_gradients[i]) -
-          theta.per_clearance[1] * along_motion[i] * n;
+          theta.value * (speed * t + motion * at.tangent_gradients[i]) +
+          theta.per_pressure * along_motion[i] *
+            condition.multiplier_stiffness() * n;
       }
     Tensor<1, 2> per_speed =
       bristle_before.deflection +
@@ -189,7 +210,6 @@ namespace Biface
     const double sign = rolling.angular_velocity < 0 ? -1 : 1;
     per_speed += speed * sign * bristle_before.per_angular_velocity;
 
-    const double pressure = -condition.multiplier(at.at_body.clearance);
     const FrictionLaw::Limit limit  = law.limit(pressure);
     const double             radius = limit.value / law.tangential_stiffness();
     const double             norm   = trial.norm();
@@ -202,7 +222,8 @@ namespace Biface
               by_station = {};
             return;
           }
-        bristle.deflection = trial / speed;
+        bristle.deflection    = trial / speed;
+        bristle.extrapolation = trial_extrapolation / speed;
         for (auto &by_station : bristle.per_position)
           for (Tensor<1, 3> &component : by_station)
             component /= speed;
@@ -214,7 +235,10 @@ namespace Biface
         const auto         project   = [&](const Tensor<1, 2> &v) {
           return radius / norm * (v - (direction * v) * direction);
         };
-        bristle.deflection    = radius * direction;
+        bristle.deflection = radius * direction;
+        bristle.extrapolation =
+          project(trial_extrapolation) +
+          (exact - pressure) * limit.per_pressure / law.stiffness() * direction;
         bristle.slip_velocity = (trial - speed * bristle.deflection) / at.angle;
         for (auto &by_station : bristle.per_position)
           {

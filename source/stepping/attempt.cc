@@ -66,16 +66,13 @@ namespace Biface
                const ContactLaws    &laws)
   {
     Attempt attempt;
-    attempt.state         = guess.state;
-    attempt.mu            = guess.mu;
-    const LoadLevel &from = run.progress.reached, to = trial.level(guess.mu);
+    attempt.state = guess.state;
+    attempt.mu    = guess.mu;
     // without contact there are no losses
     const bool loses_energy = run.rolls && run.stage.contact;
     if (!loses_energy)
       attempt.state.terms.erase("heat");
-    attempt.state.time_step = {
-      to.time - from.time,
-      run.rolls ? to.temperature : (from.temperature + to.temperature) / 2};
+    attempt.state.time_step = run.time_step_to(trial.level(guess.mu));
     const ParametrizedLoads loads{[&](const LoadParameters &mu) {
                                     Loads result =
                                       run.loads_at(trial.level(mu), laws);

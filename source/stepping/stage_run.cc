@@ -205,6 +205,16 @@ namespace Biface
   }
 
 
+  TimeStep
+  StageRun::time_step_to(const LoadLevel &level) const
+  {
+    const LoadLevel &from = progress.reached;
+    return {level.time - from.time,
+            rolls ? level.temperature
+                  : (from.temperature + level.temperature) / 2};
+  }
+
+
   Control::Equilibrium
   StageRun::last_converged() const
   {

@@ -7,6 +7,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include <biface/contact/contact_condition.h>
@@ -59,6 +60,9 @@ namespace Biface
       std::array<dealii::Tensor<2, 3>, 2> tangent_gradients;
       /** The angle from the station before; positive, in radians. */
       double angle;
+      /** The pressure that limits friction, an unknown of the iteration; that
+       * of the clearance if it is not set. Unit: force/area. */
+      std::optional<double> pressure{};
     };
 
     /** The station at a position.
@@ -74,6 +78,10 @@ namespace Biface
       /** The deflection @f$\mathbf e@f$ of the bristle along the tangents.
        * Unit: length. */
       dealii::Tensor<1, 2> deflection;
+      /** The linear change of the deflection by the pressures of the
+       * clearances; zero if the stations have these pressures, as in
+       * equilibrium. */
+      dealii::Tensor<1, 2> extrapolation;
       /** The velocity with which the tip of the bristle has slipped over the
        * ground since the station before. Unit: length/time. */
       dealii::Tensor<1, 2> slip_velocity;
@@ -100,8 +108,8 @@ namespace Biface
       return law.tangential_stiffness();
     }
 
-    /** The bristles of a line. The pressure is that of the clearance, see
-     * ContactCondition. */
+    /** The bristles of a line. Their derivatives are those of deflection and
+     * extrapolation together. */
     std::vector<Bristle>
     deflections(const std::vector<Station> &line, const Rolling &rolling) const;
 

@@ -63,6 +63,12 @@ namespace Biface
     Loads
     loads_at(const LoadLevel &level, const ContactLaws &laws) const;
 
+    /** What passes between the last converged step and a level of this shell:
+     * the time, and the temperature in it; a wheel that rolls has that of the
+     * level. */
+    TimeStep
+    time_step_to(const LoadLevel &level) const;
+
     /** The equilibrium from which the next step starts. */
     Control::Equilibrium
     last_converged() const;

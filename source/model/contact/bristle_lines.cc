@@ -81,13 +81,14 @@ namespace Biface
             (!node.locally_owned && areas[n] == 0))
           continue;
         LineNode at;
-        at.number  = node.number;
-        at.line    = node.grid_index[0];
-        at.place   = node.grid_index[1];
-        at.touches = zone.active[n];
-        at.x       = mesh.deformed_position(state.displacement, node, face);
-        at.area    = areas[n];
-        at.owned   = node.locally_owned;
+        at.number   = node.number;
+        at.line     = node.grid_index[0];
+        at.place    = node.grid_index[1];
+        at.touches  = zone.active[n];
+        at.pressure = zone.pressure(n);
+        at.x        = mesh.deformed_position(state.displacement, node, face);
+        at.area     = areas[n];
+        at.owned    = node.locally_owned;
         if (at.owned)
           for (unsigned int i = 0; i < 3; ++i)
             for (unsigned int part = 0; part < node.n_parts(); ++part)
@@ -142,6 +143,7 @@ namespace Biface
                                 found->second.x,
                                 found->second.touches,
                                 grid_lines[lower + 1] - grid_lines[lower]));
+          line.stations.back().pressure = found->second.pressure;
           line.nodes.push_back(found->second);
         }
       line.bristles = law().deflections(line.stations, rolling);
@@ -208,8 +210,10 @@ namespace Biface
     Tensor<1, 3> force;
     if (line.nodes[j].touches)
       for (unsigned int c = 0; c < 2; ++c)
-        force -= line.nodes[j].area * law().tangential_stiffness() *
-                 line.bristles[j].deflection[c] * line.stations[j].tangents[c];
+        force -=
+          line.nodes[j].area * law().tangential_stiffness() *
+          (line.bristles[j].deflection[c] + line.bristles[j].extrapolation[c]) *
+          line.stations[j].tangents[c];
     return force;
   }
 

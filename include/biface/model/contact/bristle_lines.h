@@ -103,8 +103,11 @@ namespace Biface
       unsigned int                     line, place;
       bool                             touches;
       dealii::Point<3>                 x;
+      /** The pressure at the node, see ContactState::multipliers. Unit:
+       * force/area. */
+      double pressure;
       /** The area of the node, from the cells of the rank that sends it, later
-       * the sum of all. Unit: area. */
+       * the sum of all. */
       double area;
       /** Whether the rank that sends the node owns it; only then it has
        * unknowns. */
@@ -117,7 +120,8 @@ namespace Biface
       void
       serialize(Archive &archive, const unsigned int /*version*/)
       {
-        archive &number &line &place &touches &x &area &owned &dofs &per_dof;
+        archive &number &line &place &touches &x &pressure &area &owned &dofs
+          &per_dof;
       }
     };
 
