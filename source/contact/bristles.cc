@@ -170,8 +170,8 @@ namespace Biface
         ? TouchingPart()
         : touching_part(before.at_body.clearance,
                         pressure,
-                        std::min(condition.multiplier_stiffness(),
-                                 stiffest_tread * law.stiffness()));
+                        std::min(condition.penalty_stiffness(),
+                                 stiffest_tread * law.tangential_stiffness()));
     const GroundStep ground =
       ground_step(rolling.ground, before.x, at.angle, speed);
     const Tensor<1, 3> motion       = speed * (at.x - before.x) - ground.value;
@@ -199,7 +199,7 @@ namespace Biface
         by_itself[i] +=
           theta.value * (speed * t + motion * at.tangent_gradients[i]) +
           theta.per_pressure * along_motion[i] *
-            condition.multiplier_stiffness() * n;
+            condition.penalty_stiffness() * n;
       }
     Tensor<1, 2> per_speed =
       bristle_before.deflection +
@@ -238,7 +238,7 @@ namespace Biface
         bristle.deflection = radius * direction;
         bristle.extrapolation =
           project(trial_extrapolation) +
-          (exact - pressure) * limit.per_pressure / law.stiffness() * direction;
+          (exact - pressure) * limit.per_pressure / law.tangential_stiffness() * direction;
         bristle.slip_velocity = (trial - speed * bristle.deflection) / at.angle;
         for (auto &by_station : bristle.per_position)
           {
