@@ -202,10 +202,10 @@ namespace Biface
                 ? ", approach " + number_to_string(point.travel)
                 : "");
     };
-    std::string text = explain(result.cause, result.in_use) +
+    std::string text = explain(result.failure, result.in_use) +
                        " The last converged step is at " +
                        loads(result.reached);
-    if (result.cause != FailureCause::too_many_steps)
+    if (result.failure.cause != FailureCause::too_many_steps)
       text +=
         "; the smallest step tried beyond it started at " + loads(result.tried);
     text += '.';

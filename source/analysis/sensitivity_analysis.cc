@@ -751,7 +751,8 @@ namespace Biface
       {
         tangent.failure = Failure{FailureCause::control,
                                   "the controlled quantity does not depend on "
-                                  "the loads"};
+                                  "the loads",
+                                  step.trial.equations->remedies()};
         return;
       }
     std::vector<unsigned int> followed;
@@ -832,8 +833,7 @@ namespace Biface
     lost_stages.insert(step.run.progress.stage);
     out << "  Warning: the derivatives in " << step.run.stage.name
         << " and in stages that start from its end are left out: "
-        << failure.message
-        << ". Possible remedies: " << advice(failure.cause, in_use)
+        << failure.message << ". Possible remedies: " << advice(failure, in_use)
         << std::endl;
   }
 

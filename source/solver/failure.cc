@@ -46,6 +46,12 @@ namespace Biface
           case FailureCause::divergence:
             return "The iteration diverged or became NaN: the step is too "
                    "large, or there is no equilibrium nearby.";
+          case FailureCause::other_solution:
+            return "The iteration converged, but to a solution that cannot "
+                   "follow the last step: the step is too large.";
+          case FailureCause::heat:
+            return "The losses in rolling and the temperatures that follow "
+                   "from them, computed in turn, go on changing.";
           case FailureCause::contact_cycle:
             return "The same nodes enter and leave contact in turn, and "
                    "holding them in contact did not help.";
@@ -53,6 +59,8 @@ namespace Biface
             return "The tangent stiffness is singular: supports are missing, "
                    "a material or a ply has almost no stiffness, or the load "
                    "has reached its maximum.";
+          case FailureCause::linear_solver:
+            return "A linear system was not solved.";
           case FailureCause::out_of_memory:
             return "The factorized matrix did not fit into memory.";
           case FailureCause::linear_iterations:
@@ -62,8 +70,8 @@ namespace Biface
             return "The stresses that relax around the axle change too much "
                    "in the step.";
           case FailureCause::control:
-            return "The prescribed displacement or force does not change with "
-                   "the loads.";
+            return "At the start of the step, the prescribed displacement or "
+                   "force does not change with the loads.";
           case FailureCause::too_many_steps:
             return "The equilibrium path leads away from the loads of the "
                    "stage, or approaches them too slowly.";
@@ -75,24 +83,37 @@ namespace Biface
 
 
   std::string
-  advice(const FailureCause cause, const InUse &in_use)
+  advice(const Failure &failure, const InUse &in_use)
   {
+    if (!failure.remedies.empty())
+      return failure.remedies;
+    const std::string unstable =
+      (failure.had_negative_pivots.value_or(true) ? turning_points(in_use)
+                                                  : std::string());
     const std::string contact =
-      (in_use.contact ? std::string("; ") + zone_edge : std::string());
-    switch (cause)
+      (in_use.contact && failure.contact_changed ? std::string("; ") + zone_edge
+                                                 : std::string());
+    switch (failure.cause)
       {
         case FailureCause::too_many_iterations:
-          return std::string("more 'Newton/Maximum iterations' if the "
-                             "residual still decreases; ") +
-                 smaller_steps + turning_points(in_use) + contact;
+          return (failure.residual_decreased
+                    ? std::string("more 'Newton/Maximum iterations', since the "
+                                  "residual still decreased; ")
+                    : std::string()) +
+                 smaller_steps + unstable + contact;
         case FailureCause::divergence:
-          return smaller_steps + turning_points(in_use) + contact;
+          return smaller_steps + unstable + contact;
+        case FailureCause::other_solution:
+        case FailureCause::heat:
+          return smaller_steps;
         case FailureCause::contact_cycle:
           return std::string(zone_edge) + "; " + smaller_steps;
         case FailureCause::singular_tangent:
           return std::string("more entries in 'Supports' (the start of the "
                              "run lists free rigid motions)") +
                  turning_points(in_use) + "; other plies or moduli";
+        case FailureCause::linear_solver:
+          return "the other 'Linear solver/Type'";
         case FailureCause::out_of_memory:
           return std::string("fewer cells, ") +
                  (in_use.iterative_solver
@@ -105,11 +126,7 @@ namespace Biface
         case FailureCause::nonlocal_iterations:
           return smaller_steps;
         case FailureCause::control:
-          return "another 'Control point' or 'Control component'; for a "
-                 "force, a stage of prescribed motion before, in which the "
-                 "shell comes to rest on the foundation or the body; for "
-                 "'Forces on bodies', a direction in which the body meets the "
-                 "shell, or a spring";
+          return "loads that change what is controlled";
         case FailureCause::too_many_steps:
           return "more 'Step control/Maximum arc steps', fewer 'Steps' in "
                  "the stage, or a larger 'Step control/Maximum growth'";
@@ -120,9 +137,9 @@ namespace Biface
 
 
   std::string
-  explain(const FailureCause cause, const InUse &in_use)
+  explain(const Failure &failure, const InUse &in_use)
   {
-    return meaning(cause) + " Possible remedies: " + advice(cause, in_use) +
-           '.';
+    return meaning(failure.cause) +
+           " Possible remedies: " + advice(failure, in_use) + '.';
   }
 } // namespace Biface

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -136,6 +138,33 @@ namespace Biface
 
     NewtonResult result;
 
+    /** The number of the last iteration in which the active set changed, or
+     * the number of nodes that slip. */
+    std::optional<unsigned int> last_change;
+    unsigned int                n_slipping = 0;
+    /** See Failure. */
+    std::optional<bool> had_negative_pivots;
+
+    /** A failure with what the iteration shows about it. */
+    Failure
+    with_evidence(const Failure &why) const
+    {
+      // of iterations, which are called the last ones
+      constexpr unsigned int last = 3;
+      // of the residual in these
+      constexpr double decrease = 0.5;
+
+      Failure                    failure   = why;
+      const std::vector<double> &residuals = result.residuals;
+      failure.contact_changed =
+        last_change && *last_change + last > result.iterations;
+      failure.residual_decreased =
+        residuals.size() > last &&
+        residuals.back() <= decrease * residuals[residuals.size() - 1 - last];
+      failure.had_negative_pivots = had_negative_pivots;
+      return failure;
+    }
+
     /** Whether the active set has settled. What a coarser mesh gave and which
      * nodes slip take an iteration to be checked, and an equation one to be
      * satisfied. */
@@ -156,6 +185,30 @@ namespace Biface
   };
 
 
+  namespace
+  {
+    /** The number of the node with the largest entry of a vector, the lowest
+     * of several; none if an entry is not a number. Must be called on all
+     * ranks. */
+    std::optional<types::global_cell_index>
+    largest_node(const ShellMesh &mesh, const LA::Vector &vector)
+    {
+      constexpr auto none =
+        std::numeric_limits<types::global_cell_index>::max();
+      // round-off does not decide between nodes that mirror each other
+      const double bound  = (1 - 1e-6) * vector.linfty_norm();
+      auto         lowest = none;
+      for (const Node &node : mesh.nodes)
+        if (node.locally_owned)
+          for (const auto dof : node.dofs)
+            if (std::abs(vector(dof)) >= bound)
+              lowest = std::min(lowest, node.number);
+      lowest = Utilities::MPI::min(lowest, mesh.communicator);
+      return lowest < none ? std::optional(lowest) : std::nullopt;
+    }
+  } // namespace
+
+
   NewtonResult
   Newton::solve(State                   &state,
                 const ParametrizedLoads &loads,
@@ -173,7 +226,10 @@ namespace Biface
     increment.displacement = equations.mesh.owned_vector();
 
     const auto fail = [&](const Failure &why) {
-      result.failure = why;
+      result.failure = iterate.with_evidence(why);
+      if (result.iterations > 0)
+        result.failure.moved_most =
+          largest_node(equations.mesh, increment.displacement);
       return result;
     };
     if (!unprepared.empty())
@@ -206,7 +262,7 @@ namespace Biface
             // Green's strains do not distinguish a director from its opposite
             if (const auto inverted =
                   find_inverted_layer(equations.mesh, state))
-              return fail({FailureCause::divergence,
+              return fail({FailureCause::other_solution,
                            "the iteration converged to a shape in which "
                            "layer " +
                              std::to_string(inverted->layer + 1) +
@@ -346,10 +402,12 @@ namespace Biface
     out << line;
     if (contact.has_friction(iterate.loads))
       {
-        std::snprintf(line,
-                      sizeof(line),
-                      "  slipping %4u",
-                      contact.count_slipping(iterate.state, iterate.loads));
+        const unsigned int n_slipping =
+          contact.count_slipping(iterate.state, iterate.loads);
+        if (result.iterations > 0 && n_slipping != iterate.n_slipping)
+          iterate.last_change = result.iterations;
+        iterate.n_slipping = n_slipping;
+        std::snprintf(line, sizeof(line), "  slipping %4u", n_slipping);
         out << line;
       }
     out << std::endl;
@@ -494,6 +552,9 @@ namespace Biface
           low_rank.n_negative(linear_solver.has_kept_factors() && condensed
                                 ? condensed->n_negative(*n)
                                 : *n);
+      if (const auto &n = result.n_negative_pivots)
+        iterate.had_negative_pivots =
+          *n > 0 || iterate.had_negative_pivots.value_or(false);
     };
 
     std::optional<LinearSolver::Correction> correction;
@@ -575,15 +636,45 @@ namespace Biface
         for (unsigned int i = 0; i < per_parameter.size(); ++i)
           {
             if (!std::isfinite(increment.mu[i]))
-              return Failure{FailureCause::control,
-                             "the controlled quantity does not depend on the "
-                             "loads"};
+              return undetermined_loads(iterate, increment, per_parameter);
             increment.displacement.add(increment.mu[i], per_parameter[i]);
           }
       }
     if (condensed && !linear_solver.has_kept_factors())
       condensed->restart(iterate.state);
     return {};
+  }
+
+
+  Failure
+  Newton::undetermined_loads(const Iterate                 &iterate,
+                             const Increment               &increment,
+                             const std::vector<LA::Vector> &per_parameter) const
+  {
+    bool finite = std::isfinite(increment.displacement.l2_norm());
+    for (const LA::Vector &direction : per_parameter)
+      finite = std::isfinite(direction.l2_norm()) && finite;
+    if (!finite)
+      return {FailureCause::divergence,
+              "the solution of a linear system is not a number"};
+    if (iterate.result.iterations == 0)
+      return {FailureCause::control,
+              "the controlled quantity does not depend on the loads",
+              iterate.parametrized.equations->remedies()};
+
+    // what an iterate has lost says nothing about the equations
+    const std::string  so = ", so that the controlled quantity did not depend "
+                            "on the loads";
+    const unsigned int n_active = contact.count_active(iterate.state);
+    if (n_active == 0 && !iterate.loads.bodies.empty())
+      return {FailureCause::divergence, "an iteration lost all contact" + so};
+    if (n_active > 0 &&
+        contact.count_slipping(iterate.state, iterate.loads) == n_active)
+      return {FailureCause::divergence,
+              "in an iteration all nodes in contact slipped" + so};
+    return {FailureCause::divergence,
+            "the iteration went where the controlled quantity does not depend "
+            "on the loads"};
   }
 
 
@@ -607,7 +698,9 @@ namespace Biface
     const std::string unprepared =
       equations.prepare(iterate.loads, iterate.state);
     contact.predict_multipliers(iterate.state, iterate.loads, contacts);
-    iterate.n_changes   = iterate.zone.update(iterate.state, iterate.loads);
+    iterate.n_changes = iterate.zone.update(iterate.state, iterate.loads);
+    if (iterate.n_changes > 0)
+      iterate.last_change = iterate.result.iterations + 1;
     const double update = increment.displacement.linfty_norm();
     // updates that shrink slowly leave more than the linear solver knows of
     if (iterate.result.iterations > 0)

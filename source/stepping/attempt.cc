@@ -43,7 +43,7 @@ namespace Biface
           if (attempt.n_heat_rounds == max_rounds)
             {
               result.converged = false;
-              result.failure   = {FailureCause::too_many_iterations,
+              result.failure   = {FailureCause::heat,
                                   "the temperatures of the plies have not "
                                     "settled in " +
                                     std::to_string(max_rounds) + " rounds"};
@@ -100,7 +100,7 @@ namespace Biface
     if (!passed.empty())
       {
         attempt.result.converged = false;
-        attempt.result.failure   = {FailureCause::divergence,
+        attempt.result.failure   = {FailureCause::other_solution,
                                     "the shell has passed through the body '" +
                                       passed + "' in one step"};
       }

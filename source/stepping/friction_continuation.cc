@@ -109,6 +109,16 @@ namespace Biface
       }
     Attempt result           = failed;
     result.result.iterations = iterations;
+    if (run.law->bristles())
+      {
+        std::string &remedies = result.result.failure.remedies;
+        remedies = (halving_helps ? advice(result.result.failure) + "; " : "") +
+                   "softer bristles, by a smaller 'Contact/Tangential "
+                   "regularization' or a 'Contact/Tread'";
+        if (last)
+          remedies += "; less 'Friction', since the step converged with " +
+                      laws.name(*last);
+      }
     return result;
   }
 } // namespace Biface

@@ -225,7 +225,7 @@ namespace Biface
       {
         LoadSteppingResult failure = failure_at(run, run.progress.reached);
         failure.message            = message;
-        failure.cause              = FailureCause::too_many_steps;
+        failure.failure            = {FailureCause::too_many_steps, message};
         return failure;
       }
     unsigned int n_cuts = 0, n_iterations = 0;
@@ -286,17 +286,18 @@ namespace Biface
   {
     LoadSteppingResult failure = failure_at(run, trial.level(trial.mu));
     failure.stopped            = result.stopped;
-    failure.cause              = result.failure.cause;
+    failure.failure            = result.failure;
     failure.message            = result.failure.message;
     if (failure.stopped)
       return failure;
     failure.n_negative_pivots = result.exact_pivots();
-    if (run.progress.n_steps > 0)
+    if (run.progress.n_steps > 0 && result.failure.may_lie_in_the_wall())
       {
         failure.worst =
           worst_strains(equations.mesh, equations.internal_forces(), run.state);
-        failure.worst->short_wave = softest_short_wave(
-          equations.mesh, equations.internal_forces(), run.state);
+        if (const auto &node = result.failure.moved_most)
+          failure.worst->short_wave = softest_short_wave(
+            equations.mesh, equations.internal_forces(), run.state, *node);
       }
     failure.message = "step " + std::to_string(run.progress.n_steps + 1) +
                       " (" + run.stage.name + ") did not converge" +

@@ -87,7 +87,7 @@ namespace
     forces.settle_resultants(state);
 
     WorstStrains worst  = worst_strains(*mesh, forces, state);
-    worst.short_wave    = softest_short_wave(*mesh, forces, state);
+    worst.short_wave    = softest_short_wave(*mesh, forces, state, 0);
     const double strain = compression * (compression / 2 - 1);
     if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
       return;

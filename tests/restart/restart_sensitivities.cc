@@ -2,8 +2,8 @@
 
 // A run with derivatives that is stopped and continued on another number of
 // ranks has those of an uninterrupted run: in a stage whose start depends on
-// the entries, with friction, whose history does, and in a stage that starts
-// from an earlier one.
+// the entries, with friction, whose history does, with stresses that relax, and
+// in a stage that starts from an earlier one.
 
 #include "../restart.h"
 
@@ -44,6 +44,16 @@ main(int argc, char *argv[])
         std::cout << "changed: " << ended.code << '\n' << said(ended);
       }
 
+  check_restart("relaxation",
+                with(slid,
+                     {"Material cord/Relaxation times=1, 20",
+                      "Material cord/Relaxation moduli=0.2, 0.3",
+                      "Stage 1/Duration=0.5",
+                      "Stage 2/Duration=2",
+                      "Stage 3/Duration=3",
+                      "Sensitivities/Entries=Stage 1/Duration; Stage "
+                      "2/Duration; Stage 3/Duration"}),
+                5);
   check_restart("friction",
                 with(slid,
                      {entries + "; Contact/Friction",

@@ -2,8 +2,8 @@
 
 // Derivatives by entries that move or reshape the ground are those of whole
 // runs: by the radius of a drum under a wheel that rolls freely with friction,
-// by the direction of the ground and its angle of turn, and by the center of
-// moments.
+// by the direction of the ground and its angle of turn, by the stiffnesses of
+// contact in a stage, and by the center of moments.
 
 #include <deal.II/base/mpi.h>
 
@@ -55,6 +55,24 @@ main(int argc, char **argv)
                       "Contact/Direction[3]",
                       "force, foundation F_y",
                       2e-3);
+  // nodes that stick keep their tractions where the stiffnesses change
+  check_sensitivities("stiffnesses of a stage",
+                      tire,
+                      with({"Contact/Friction=2",
+                            "Contact/Tangential regularization=10",
+                            "Number of stages=4",
+                            "Stage 3/Contact=true",
+                            "Stage 3/Slide=0, 3, 0",
+                            "Stage 4/Contact=true",
+                            "Stage 4/Glued=true",
+                            "Stage 4/Slide=0, 4, 0",
+                            "Stage 4/Steps=2",
+                            "Stage 4/Regularization=5",
+                            "Stage 4/Tangential regularization=1"}),
+                      "Stage 4/Regularization, Stage 4/Tangential "
+                      "regularization, Contact/Tangential regularization",
+                      "force, foundation F_y",
+                      1e-3);
   check_sensitivities("center of moments",
                       tire,
                       with({"Sensitivities/Relative step=1e-4"}),

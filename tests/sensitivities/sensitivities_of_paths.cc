@@ -88,6 +88,20 @@ main(int argc, char **argv)
                        "Stage 1/Steps=5"},
                       "Material strip/E; Stage 1/Load factor",
                       "load_factor, tip u_z, strain_energy");
+  // a step along the critical shape is as long as in the run
+  check_sensitivities("switched branch",
+                      DATA_DIR "/../verification/critical_column.prm",
+                      {"Mesh/Intervals alpha_1=0:100:10",
+                       "Stage 1/Control=arc length",
+                       "Stage 1/Load factor=2.2"},
+                      "Material strip/E; Stage 1/Load factor",
+                      "end u_x, strain_energy",
+                      1e-3);
+  check_sensitivities("imperfection",
+                      DATA_DIR "/imperfect_column.prm",
+                      {"Mesh/Intervals alpha_1=0:200:20"},
+                      "Surface/Imperfection/Formula[1]; Material steel/E",
+                      "middle u_z, strain_energy");
   check_sensitivities(
     "modes",
     tire,

@@ -4,6 +4,7 @@
 #define biface_solver_control_equation_h
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
@@ -76,6 +77,14 @@ namespace Biface
                             const std::vector<LA::Vector> &dV_q) const
     {
       return parameter_changes(iteration, dV_R, dV_q);
+    }
+
+    /** What may help if they do not depend on the loads, as part of a sentence
+     * that names entries of the parameter file; empty if nothing is known. */
+    virtual std::string
+    remedies() const
+    {
+      return {};
     }
 
     /** Whether an iteration reads the number of negative pivots. */

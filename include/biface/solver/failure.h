@@ -3,6 +3,9 @@
 #ifndef biface_solver_failure_h
 #define biface_solver_failure_h
 
+#include <deal.II/base/types.h>
+
+#include <optional>
 #include <string>
 
 namespace Biface
@@ -26,16 +29,46 @@ namespace Biface
     /** The controlled quantity does not depend on the loads. */
     control,
     /** The maximum number of steps is reached. */
-    too_many_steps
+    too_many_steps,
+    /** It converged to a solution other than the one that is sought. */
+    other_solution,
+    /** Rolling and the conduction of heat, computed in turn, do not settle. */
+    heat,
+    /** A linear solver failed for a reason of its own. */
+    linear_solver
   };
 
 
-  /** A failure of a step. */
+  /** The failure of an attempt at a step, and what the attempt showed. */
   struct Failure
   {
     FailureCause cause = FailureCause::too_many_iterations;
     /** What happened, as part of a sentence. */
     std::string message;
+    /** What may help, as part of a sentence that names entries of the parameter
+     * file, if the cause alone does not tell; otherwise empty. */
+    std::string remedies{};
+    /** Whether nodes came into contact, left it, or began or ceased to slip in
+     * the last iterations. */
+    bool contact_changed = false;
+    /** Whether the residual decreased in the last iterations. */
+    bool residual_decreased = false;
+    /** Whether a tangent had negative pivots; not set if none were counted. */
+    std::optional<bool> had_negative_pivots{};
+    /** The number of the node that moved most in the last iteration, see
+     * Node::number; none if there was no iteration. */
+    std::optional<dealii::types::global_cell_index> moved_most{};
+
+    /** Whether the wall itself may be the reason: a tangent was that of an
+     * unstable shell or, if this is not known, the iteration failed in settled
+     * contact. */
+    bool
+    may_lie_in_the_wall() const
+    {
+      return (cause == FailureCause::too_many_iterations ||
+              cause == FailureCause::divergence) &&
+             had_negative_pivots.value_or(!contact_changed);
+    }
   };
 
 
@@ -54,15 +87,16 @@ namespace Biface
 
 
   /** Possible remedies for a failure, as part of a sentence that names entries
-   * of the parameter file. */
+   * of the parameter file: those for which the attempt gives a reason, and that
+   * are not in use. */
   std::string
-  advice(const FailureCause cause, const InUse &in_use);
+  advice(const Failure &failure, const InUse &in_use);
 
 
   /** The meaning of a failure and possible remedies: sentences for the user
    * that name entries of the parameter file. */
   std::string
-  explain(const FailureCause cause, const InUse &in_use);
+  explain(const Failure &failure, const InUse &in_use);
 } // namespace Biface
 
 #endif

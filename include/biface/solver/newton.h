@@ -205,6 +205,13 @@ namespace Biface
     std::optional<Failure>
     compute_increment(Iterate &iterate, Increment &increment);
 
+    /** The failure of an iteration whose equations do not determine the load
+     * parameters. Must be called on all ranks. */
+    Failure
+    undetermined_loads(const Iterate                 &iterate,
+                       const Increment               &increment,
+                       const std::vector<LA::Vector> &per_parameter) const;
+
     /** Add an increment and update the active set.
      * @return the failure, if any. */
     std::optional<Failure>

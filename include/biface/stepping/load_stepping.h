@@ -40,15 +40,16 @@ namespace Biface
     std::string message;
     /** Whether the run was stopped on request, which is not a success. */
     bool stopped = false;
-    /** The cause of a failure, if a step failed after all attempts. */
-    FailureCause cause = FailureCause::too_many_iterations;
+    /** The failure of the last attempt, if a step failed after all attempts. */
+    Failure failure;
     /** The settings of the stage of the failure. */
     InUse in_use;
     /** The loads of the last converged step, and those at the start of the last
      * attempt beyond it. */
     LoadLevel reached;
     LoadLevel tried;
-    /** The worst strains of the last converged step, if a later step failed. */
+    /** The worst strains of the last converged step, if a later step failed and
+     * they may be the reason. */
     std::optional<WorstStrains> worst;
     /** The number of negative pivots of the last tangent of the failed step, if
      * the solver counts them. */

@@ -224,16 +224,24 @@ namespace Biface
 
 
   std::optional<WorstStrains::ShortWave>
-  softest_short_wave(const ShellMesh      &mesh,
-                     const InternalForces &forces,
-                     const State          &state)
+  softest_short_wave(const ShellMesh               &mesh,
+                     const InternalForces          &forces,
+                     const State                   &state,
+                     const types::global_cell_index node)
   {
     std::vector<Candidate> waves(mesh.cells.size());
+    const auto             is_around = [&](const Cell &cell) {
+      return std::any_of(
+        cell.nodes.begin(), cell.nodes.end(), [&](const unsigned int n) {
+          return mesh.nodes[n].number == node;
+        });
+    };
     for (const unsigned int c : mesh.layers)
-      waves[c] = minimum_stiffness(
-        mesh,
-        mesh.cells[c],
-        Modes::at_vertices(forces.total_resultants(state, c)));
+      if (is_around(mesh.cells[c]))
+        waves[c] = minimum_stiffness(
+          mesh,
+          mesh.cells[c],
+          Modes::at_vertices(forces.total_resultants(state, c)));
     auto softest = maximum(mesh, waves);
     if (softest)
       softest->stiffness.value *= -1;
@@ -300,7 +308,8 @@ namespace Biface
               ? " Where cells are shorter than the wall is thick, a face that "
                 "is compressed may wrinkle: " +
                   place(worst.short_wave->stiffness) +
-                  ", the stiffness against waves at " +
+                  ", where the last iteration moved the shell most, the "
+                  "stiffness against waves at " +
                   digits(worst.short_wave->direction) +
                   " degrees from alpha_1 is " +
                   digits(worst.short_wave->stiffness.value) +

@@ -508,6 +508,8 @@ namespace Biface
           result.message += ": out of memory";
           result.cause = FailureCause::out_of_memory;
         }
+      else
+        result.cause = FailureCause::linear_solver;
       return result;
     }
 

@@ -54,6 +54,12 @@ namespace Biface
                (functional * dV_q);
       }
 
+      std::string
+      remedies() const override
+      {
+        return "another 'Control point' or 'Control component'";
+      }
+
       double
       violation(const Iteration &iteration) const override
       {

@@ -113,6 +113,13 @@ namespace Biface
         return travel;
       }
 
+      std::string
+      remedies() const override
+      {
+        return "a stage of prescribed 'Travel' before, in which the shell "
+               "comes to rest on the foundation";
+      }
+
       std::optional<double>
       change_into_contact(
         const double /*prescribed*/,
@@ -206,6 +213,13 @@ namespace Biface
                const std::vector<LoadRates> &rates) const override
       {
         return axle_moment(contact.ground(), state, loads, rates);
+      }
+
+      std::string
+      remedies() const override
+      {
+        return "a stage before in which the wheel is pressed on the ground, "
+               "and 'Friction' with it";
       }
 
       bool
@@ -359,6 +373,15 @@ namespace Biface
         return factor_at(from.level.factors, factor);
       }
 
+      std::string
+      remedies() const override
+      {
+        return "a stage of prescribed motion before, in which the body " +
+               quoted(of_stage.name()) +
+               " comes to rest at the shell, a direction in which it meets the "
+               "shell, or a spring";
+      }
+
       double
       largest_change() const override
       {
@@ -504,6 +527,15 @@ namespace Biface
               matrix(i, i) = 1;
           }
         return solve(matrix, missing);
+      }
+
+      std::string
+      remedies() const override
+      {
+        std::string text;
+        for (const auto &resultant : resultants)
+          text += (text.empty() ? "" : "; ") + resultant->remedies();
+        return text;
       }
 
       double

@@ -55,7 +55,7 @@ namespace Biface
    * displacements. Its error decreases with the square of the size of the step.
    * Loads and foundation do as much work as the strain energy increases by,
    * plus that of friction and damping, and the small elastic energy in the
-   * regularization of contact.
+   * springs of contact.
    *
    * Must be called on all ranks.
    *

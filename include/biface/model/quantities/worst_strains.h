@@ -54,8 +54,9 @@ namespace Biface
 
     /**
      * The short wave with the least stiffness in cells that are shorter than
-     * the layer is thick; none if there are no such cells. With the unit vector
-     * n along the wave, the stiffness is the lowest eigenvalue of
+     * the layer is thick, around the node that the last iteration moved most;
+     * none if there are no such cells. With the unit vector n along the wave,
+     * the stiffness is the lowest eigenvalue of
      * @f$\mathbf D_n^{-1}(\mathbf D_n+\mathbf N)@f$, where @f$D_n^{pq}@f$ are
      * the stiffnesses against the transverse shear strains of the faces along
      * n, and @f$\mathbf N@f$ has the diagonal entries @f$H_{ab}^pn_an_b@f$. A
@@ -72,11 +73,13 @@ namespace Biface
   };
 
   /** The short wave with the least stiffness, see WorstStrains::short_wave.
-   * Must be called on all ranks. */
+   * Must be called on all ranks.
+   * @param node the cells around the node with this number count. */
   std::optional<WorstStrains::ShortWave>
-  softest_short_wave(const ShellMesh      &mesh,
-                     const InternalForces &forces,
-                     const State          &state);
+  softest_short_wave(const ShellMesh                       &mesh,
+                     const InternalForces                  &forces,
+                     const State                           &state,
+                     const dealii::types::global_cell_index node);
 
   /**
    * Green's strain at which a St. Venant-Kirchhoff material has no stiffness

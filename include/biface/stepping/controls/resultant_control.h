@@ -84,6 +84,11 @@ namespace Biface
       return std::numeric_limits<double>::infinity();
     }
 
+    /** The remedies if the resultant does not depend on any load, as part of a
+     * sentence that names entries of the parameter file. */
+    virtual std::string
+    remedies() const = 0;
+
     /** Whether the resultant depends on its load only in contact with the
      * ground. */
     virtual bool
