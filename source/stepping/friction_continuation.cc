@@ -109,15 +109,17 @@ namespace Biface
       }
     Attempt result           = failed;
     result.result.iterations = iterations;
-    if (run.law->bristles())
+    if (run.laws.bristles())
       {
         std::string &remedies = result.result.failure.remedies;
-        remedies = (halving_helps ? advice(result.result.failure) + "; " : "") +
+        remedies              = (halving_helps
+                                   ? advice(result.result.failure, run.stage.in_use()) + "; "
+                                   : "") +
                    "softer bristles, by a smaller 'Contact/Tangential "
                    "regularization' or a 'Contact/Tread'";
         if (last)
           remedies += "; less 'Friction', since the step converged with " +
-                      laws.name(*last);
+                      laws->name(*last);
       }
     return result;
   }

@@ -30,7 +30,8 @@ namespace Biface
     control,
     /** The maximum number of steps is reached. */
     too_many_steps,
-    /** It converged to a solution other than the one that is sought. */
+    /** The iteration converged to a solution other than the one that is
+     * sought. */
     other_solution,
     /** Rolling and the conduction of heat, computed in turn, do not settle. */
     heat,
