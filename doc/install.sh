@@ -15,7 +15,8 @@ case ${1-} in
   "") ;;
   report) packages="$packages $report" ;;
   tests) packages="$packages $report chromium chromium-driver numdiff clang
-    clang-format-14 doxygen lld python3-pandas texlive-binaries" ;;
+    clang-format-14 doxygen lld python3-pandas texlive-binaries
+    valgrind" ;;
   *)
     echo "Usage: doc/install.sh [report | tests]" >&2
     exit 1

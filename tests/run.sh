@@ -37,9 +37,5 @@ cmake -S . -B build-tests -G Ninja \
 step "Debug and Release, documentation"
 cmake --build build-tests --target documentation all build_tests
 
-# if its guard file exists, a test assumes that it was interrupted and builds its
-# program again: put the guards where a completed test leaves them
-find build-tests/tests -name interrupt_guard.cc -exec mv {} {}_bck \;
-
 step "Tests"
 ctest --test-dir build-tests -j "$(nproc)" --output-on-failure "$@"
