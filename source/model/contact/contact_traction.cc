@@ -35,6 +35,8 @@ namespace Biface
     const ContactPoints points(mesh, body.face, zone);
     if (points.at_nodes())
       return zone;
+    // tractions by node, for files and figures: such that the nodal forces are
+    // those of the points
     ContactState result(mesh.nodes.size());
 
     // Of each node: its force, and its area, that in contact, and that of
