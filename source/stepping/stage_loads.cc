@@ -229,11 +229,11 @@ namespace Biface
       "Regularization",
       laws.penalty_stiffness,
       of_contact,
-      "'Contact/Regularization' in the stage, of the foundation and of bodies, to go "
-      "from soft to rigid contact in several stages: where the shell rests on an "
-      "obstacle with steep sides depends on the way, and soft contact leads to "
-      "one that does not depend on the steps. From the stage before, the "
-      "penetration of a pressure changes evenly in the steps of the stage.",
+      "'Contact/Regularization' in the stage, of the foundation and of bodies, "
+      "to go from soft to rigid contact in several stages: an obstacle with "
+      "steep sides lets the way decide where the shell rests on it. From that "
+      "of the stage before, the penetration of a pressure changes evenly in "
+      "the steps of the stage.",
       Unit("pressure/length"));
     add_optional_number(
       prm,
