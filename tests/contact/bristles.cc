@@ -24,7 +24,7 @@ namespace
   condition()
   {
     ContactCondition::Parameters parameters;
-    parameters.regularization = k_n;
+    parameters.penalty_stiffness = k_n;
     return ContactCondition(parameters, 1);
   }
 

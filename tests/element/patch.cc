@@ -21,7 +21,7 @@ namespace
   const double E = 1000, nu = 0.3, h = 2;
 
   const Laminate
-    laminate({{Material::isotropic(E, nu).stiffness("material"), h, 0, {}}},
+    laminate({{{Material::isotropic(E, nu).stiffness("material")}, h, 0, {}}},
              ThicknessLaw::symmetric,
              0);
 

@@ -30,7 +30,7 @@ namespace
               << ", interpolation: " << name_of(interpolation) << std::endl;
     const double   h = 2;
     const Laminate laminate(
-      {{Material::isotropic(1000, 0.3).stiffness("material"), h, 0, {}}},
+      {{{Material::isotropic(1000, 0.3).stiffness("material")}, h, 0, {}}},
       ThicknessLaw::symmetric,
       0);
     const TestCell cell = make_cells(

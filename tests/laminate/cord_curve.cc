@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include <biface/base/errors.h>
+#include <biface/laminate/cord_law.h>
 #include <biface/laminate/force_curve.h>
 #include <biface/laminate/material_parameters.h>
 

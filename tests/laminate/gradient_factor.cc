@@ -34,10 +34,13 @@ main()
   const double G = 3, h = 2, nu = 0.3;
   for (const auto kind : {Kind::constant_strain, Kind::equilibrium})
     {
-      const TransverseShear shear = shear_of(
-        {{Material::isotropic(2 * (1 + nu) * G, nu).stiffness("m"), h, 0, {}}},
-        {kind, 1},
-        8);
+      const TransverseShear shear =
+        shear_of({{{Material::isotropic(2 * (1 + nu) * G, nu).stiffness("m")},
+                   h,
+                   0,
+                   {}}},
+                 {kind, 1},
+                 8);
       // the strains of the faces are -1 and 1
       const double energy =
         (shear.stiffness(0, 0) - shear.stiffness(0, 1) - shear.stiffness(1, 0) +

@@ -106,5 +106,7 @@ main()
   const auto stiff = Material::isotropic(1e6, 0.3).stiffness("facing");
   const auto soft  = Material::isotropic(1, 0.3).stiffness("core");
   test("sandwich",
-       {{stiff, 0.1, 0, {}, 0}, {soft, 10, 0, {}, 1}, {stiff, 0.1, 0, {}, 2}});
+       {{{stiff}, 0.1, 0, {}, 0},
+        {{soft}, 10, 0, {}, 1},
+        {{stiff}, 0.1, 0, {}, 2}});
 }

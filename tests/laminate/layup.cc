@@ -48,7 +48,7 @@ namespace
   {
     std::string text;
     for (const PlyDescription &ply : layup.get_plies())
-      text += ply.material + ' ' + std::to_string(ply.thickness(alpha_1)) +
+      text += ply.material.name + ' ' + std::to_string(ply.thickness(alpha_1)) +
               ' ' + std::to_string(ply.angle(alpha_1) * 180 / numbers::PI) +
               ' ' + std::to_string(ply.begin) + ' ' + std::to_string(ply.end) +
               ';';

@@ -26,10 +26,10 @@ namespace
     const auto stiff =
       Material{500, 20, 7, 5, 4, 3, 0.4, 0.3, 0.2}.stiffness("ply");
     const auto soft = Material::isotropic(9, 0.45).stiffness("soft");
-    return {{stiff, 1.2, 0.9, {}, 0},
-            {soft, 0.4, 0, {}, 1},
-            {stiff, 0.7, -0.3, {}, 2},
-            {stiff, 2, 1.4, {}, 3}};
+    return {{{stiff}, 1.2, 0.9, {}, 0},
+            {{soft}, 0.4, 0, {}, 1},
+            {{stiff}, 0.7, -0.3, {}, 2},
+            {{stiff}, 2, 1.4, {}, 3}};
   }
 
 

@@ -22,7 +22,7 @@ namespace
   stiffness(const double degrees, const ThicknessLaw law)
   {
     return Laminate(
-             {{ply_stiffness, 1.2, degrees * numbers::PI / 180, {}}}, law, 0)
+             {{{ply_stiffness}, 1.2, degrees * numbers::PI / 180, {}}}, law, 0)
       .stiffness();
   }
 

@@ -19,7 +19,7 @@ main()
   const auto   face = Material::isotropic(1e9, 0.3).stiffness("face");
   const auto core = Material{1, 1, 1, 1, G[0], G[1], 0, 0, 0}.stiffness("core");
   const Laminate laminate(
-    {{face, t, 0, {}, 0}, {core, c, 0, {}, 1}, {face, t, 0, {}, 2}},
+    {{{face}, t, 0, {}, 0}, {{core}, c, 0, {}, 1}, {{face}, t, 0, {}, 2}},
     ThicknessLaw::symmetric,
     0,
     {TransverseShearLaw::Kind::equilibrium, 1});

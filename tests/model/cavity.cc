@@ -142,7 +142,7 @@ main(int argc, char *argv[])
                                      true,
                                      interpolation);
       ContactPair::Parameters contact_parameters;
-      contact_parameters.condition.regularization = 1;
+      contact_parameters.condition.penalty_stiffness = 1;
       const ContactInteraction contact(*mesh, contact_parameters);
       const ShellEquations equations(*mesh, make_force_terms(*mesh, contact));
       State                state(*mesh);
