@@ -94,7 +94,7 @@ main(int argc, char *argv[])
   check("follower moment on layers",
         {"Materials=steel, foam",
          "Material foam/Type=isotropic",
-         "Material foam/E=100",
+         "Material foam/E=1e4",
          "Material foam/nu=0",
          "Laminate/Plies=steel: 0.02 @ 0, foam: 0.06 @ 0, steel: 0.02 @ 0",
          "Laminate/Layers=one per ply",
