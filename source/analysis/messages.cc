@@ -12,6 +12,7 @@
 #include <biface/base/version.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/mesh/rigid_motions.h>
+#include <biface/model/state/loads.h>
 #include <biface/problem/expected_cost.h>
 #include <biface/stepping/controls/make_control.h>
 
@@ -98,16 +99,16 @@ namespace Biface
                                         std::lround(steps.left(progress))));
     text += ":";
     char part[256];
-    if (report.loads.factors[0] != 0)
+    if (report.loads->factors[0] != 0)
       {
         std::snprintf(
-          part, sizeof(part), " load factor %.6g,", report.loads.factors[0]);
+          part, sizeof(part), " load factor %.6g,", report.loads->factors[0]);
         text += part;
       }
-    if (report.loads.pressure != 0)
+    if (report.loads->pressure != 0)
       {
         std::snprintf(
-          part, sizeof(part), " pressure %.6g,", report.loads.pressure);
+          part, sizeof(part), " pressure %.6g,", report.loads->pressure);
         text += part;
       }
     if (report.controlled)

@@ -12,11 +12,13 @@
 #include <biface/analysis/sensitivity_analysis.h>
 #include <biface/base/errors.h>
 #include <biface/laminate/layup.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/model/quantities/footprint.h>
 #include <biface/solver/buckling_analysis.h>
 #include <biface/solver/low_rank_stiffness.h>
 #include <biface/solver/modal_analysis.h>
 #include <biface/stepping/buckling.h>
+#include <biface/stepping/buckling_start.h>
 #include <biface/stepping/sensitivity_table.h>
 #include <biface/stepping/stage_run.h>
 #include <biface/stepping/stage_sequence.h>
@@ -915,13 +917,13 @@ namespace Biface
                 perturbed.model.equations,
                 perturbed.state,
                 forces_in_equilibrium(
-                  perturbed.model, perturbed.state, changed.loads));
+                  perturbed.model, perturbed.state, *changed.loads));
             if (report.modes && results.have_frequency())
               changed.modes =
-                change_modes(*report.modes, perturbed, changed.loads);
+                change_modes(*report.modes, perturbed, *changed.loads);
             if (report.buckling && results.have_buckling())
               changed.buckling =
-                change_buckling(*report.buckling, perturbed, changed.loads);
+                change_buckling(*report.buckling, perturbed, *changed.loads);
             values[side] = evaluate(
               perturbed.results, perturbed.model, changed, perturbed.state);
           }

@@ -2,6 +2,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <biface/contact/bristles.h>
 #include <biface/contact/contact_laws.h>
 #include <biface/contact/friction_by_slip_velocity.h>
 #include <biface/contact/friction_with_history.h>

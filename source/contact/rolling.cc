@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <biface/contact/friction.h>
+#include <biface/contact/rigid_body.h>
 #include <biface/contact/rolling.h>
 
 namespace Biface
@@ -78,5 +80,12 @@ namespace Biface
         limit.per_speed * outer_product(direction, slip / speed);
     result.per_pressure = -limit.per_pressure * direction;
     return result;
+  }
+
+
+  bool
+  SlipVelocityLaw::slips(const Tensor<1, 3> &slip) const
+  {
+    return slip.norm() > law.critical_velocity();
   }
 } // namespace Biface

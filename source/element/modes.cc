@@ -13,8 +13,10 @@ namespace Biface
 
   namespace
   {
-    constexpr unsigned int inner = Resultants::tangential(2, Resultants::inner);
-    constexpr unsigned int outer = Resultants::tangential(2, Resultants::outer);
+    constexpr unsigned int inner_shear =
+      Resultants::tangential(2, Resultants::inner);
+    constexpr unsigned int outer_shear =
+      Resultants::tangential(2, Resultants::outer);
 
     using Tangential = Tensor<1, Resultants::n_tangential>;
 
@@ -31,10 +33,10 @@ namespace Biface
             if (with_twist && Modes::mode_of[m][Modes::twist] != Modes::n)
               {
                 // of the shear strains only the mean is missing
-                if (s == outer)
+                if (s == outer_shear)
                   continue;
-                if (s == inner)
-                  strain[outer] = 1;
+                if (s == inner_shear)
+                  strain[outer_shear] = 1;
               }
             basis.push_back(strain);
           }
@@ -72,9 +74,9 @@ namespace Biface
   {
     using Modes::twist;
     for (unsigned int s = 0; s < Resultants::n; ++s)
-      matrix[s][twist] = matrix[s][outer] - matrix[s][inner];
+      matrix[s][twist] = matrix[s][outer_shear] - matrix[s][inner_shear];
     for (unsigned int t = 0; t <= Resultants::n; ++t)
-      matrix[twist][t] = (matrix[outer][t] - matrix[inner][t]) / 2;
+      matrix[twist][t] = (matrix[outer_shear][t] - matrix[inner_shear][t]) / 2;
   }
 
 

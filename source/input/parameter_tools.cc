@@ -315,18 +315,6 @@ namespace Biface
   }
 
 
-  NamedNumbers
-  parse_named_numbers(const std::string &entry,
-                      const std::string &text,
-                      const std::string &allowed)
-  {
-    NamedNumbers numbers;
-    for (const auto &[name, number] : split_named_list(entry, text, allowed))
-      numbers.emplace_back(name, parse_number(entry, number, allowed));
-    return numbers;
-  }
-
-
   std::string
   with_underscores(const std::string &text)
   {

@@ -5,6 +5,7 @@
 
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/quantities/face_stretch.h>
+#include <biface/model/state/loads.h>
 #include <biface/output/contact_file.h>
 #include <biface/output/csv.h>
 #include <biface/surface/reference_surface.h>
@@ -33,7 +34,7 @@ namespace Biface
     const ShellMesh        &mesh    = equations.mesh;
     const ReferenceSurface &surface = mesh.get_surface();
     // of a stage without a foundation, the table is empty
-    std::map<unsigned int, PlacedBody> bodies = report.loads.bodies;
+    std::map<unsigned int, PlacedBody> bodies = report.loads->bodies;
     if (bodies.count(0) == 0)
       write_csv(path(report.step), header, {}, communicator);
     for (const auto &[number, body] : bodies)

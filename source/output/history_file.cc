@@ -6,6 +6,7 @@
 
 #include <biface/input/parameter_tools.h>
 #include <biface/laminate/layup.h>
+#include <biface/model/state/loads.h>
 #include <biface/output/csv.h>
 #include <biface/output/fiber_tension.h>
 #include <biface/output/history_file.h>
@@ -103,8 +104,8 @@ namespace Biface
                  contact.max_pressure,
                  report.iterations,
                  report.seconds,
-                 report.loads.pressure,
-                 report.loads.factors[0]};
+                 report.loads->pressure,
+                 report.loads->factors[0]};
        }},
       {{"strain_energy"},
        [](const Step &step) -> Values {
@@ -187,7 +188,7 @@ namespace Biface
                  footprint.area,
                  ratio(contact.force, footprint.area),
                  footprint.max_pressure,
-                 ratio(contact.force, report.loads.pressure * footprint.area),
+                 ratio(contact.force, report.loads->pressure * footprint.area),
                  contact.slipping_area,
                  contact.weighted_pressure,
                  contact.pressure_variation};
@@ -195,7 +196,7 @@ namespace Biface
     if (is_wheel(mesh))
       groups.push_back({{"loaded_radius", "wheel_turn", "inclination_angle"},
                         [](const Step &step) -> Values {
-                          const auto &foundation = step.report.loads.ground();
+                          const auto &foundation = step.report.loads->ground();
                           return {foundation ? foundation->clearance(Point<3>())
                                              : 0.,
                                   step.report.level.wheel_turn,

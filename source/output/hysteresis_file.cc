@@ -4,6 +4,7 @@
 #include <string>
 
 #include <biface/laminate/layup.h>
+#include <biface/model/state/loads.h>
 #include <biface/output/csv.h>
 #include <biface/output/hysteresis_file.h>
 #include <biface/output/rolling_file.h>
@@ -30,7 +31,7 @@ namespace Biface
   {
     const std::vector<PlyDescription> &plies =
       equations.mesh.get_layup().get_plies();
-    const double angular_velocity = report.loads.rolling->angular_velocity;
+    const double angular_velocity = report.loads->rolling->angular_velocity;
     std::string  lines;
     for (unsigned int p = 0; p < plies.size(); ++p)
       {

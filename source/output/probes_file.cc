@@ -2,6 +2,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <biface/model/state/loads.h>
 #include <biface/output/csv.h>
 #include <biface/output/probes_file.h>
 
@@ -63,7 +64,7 @@ namespace Biface
         const auto add = [&](const std::string         &face,
                              const std::vector<double> &shares) {
           lines += std::to_string(report.step) + ',' + report.stage + ',' +
-                   csv_number(report.loads.factors[0]) + ',' + point.name +
+                   csv_number(report.loads->factors[0]) + ',' + point.name +
                    ',' + face;
           for (const auto &faces : {u.global, u.local})
             {

@@ -7,7 +7,10 @@
 #include <cstdio>
 
 #include <biface/input/parameter_tools.h>
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/model/quantities/worst_strains.h>
+#include <biface/model/state/loads.h>
 #include <biface/output/results_check.h>
 
 namespace Biface
@@ -175,11 +178,11 @@ namespace Biface
 
     Figures now;
     now.in_contact     = report.in_contact;
-    now.pressure       = report.loads.pressure;
+    now.pressure       = report.loads->pressure;
     now.force          = report.contact.force;
     now.footprint_area = report.footprint.area;
     now.n_lines        = lines_in_contact(state);
-    now.penetration    = largest_penetration(state, report.loads);
+    now.penetration    = largest_penetration(state, *report.loads);
     now.balance        = balance(report);
     last               = now;
 
@@ -200,7 +203,7 @@ namespace Biface
               " of its thickness of " + in_digits(deep.thickness) +
               "; raise 'Contact/Regularization', which is " +
               in_digits(contact.ground()
-                          .body(report.loads)
+                          .body(*report.loads)
                           ->laws.condition()
                           .penalty_stiffness()) +
               ".");

@@ -3,6 +3,7 @@
 #include <limits>
 #include <map>
 
+#include <biface/model/state/loads.h>
 #include <biface/output/csv.h>
 #include <biface/output/rig_table.h>
 #include <biface/stepping/step_report.h>
@@ -45,7 +46,7 @@ namespace Biface
   {
     const RollingSummary &rolling = *report.rolling;
     RigPoint              result;
-    result.pressure           = report.loads.pressure;
+    result.pressure           = report.loads->pressure;
     result.velocity           = report.level.ground_velocity;
     result.inclination_angle  = report.level.inclination_angle;
     result.slip_angle         = report.level.slip_angle;

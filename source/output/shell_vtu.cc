@@ -4,6 +4,7 @@
 #include <biface/laminate/layup.h>
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/mesh/strip.h>
+#include <biface/model/state/loads.h>
 #include <biface/output/ply_results.h>
 #include <biface/output/shell_vtu.h>
 
@@ -159,7 +160,7 @@ namespace Biface
   ShellVtu::write(const StepReport &report, const State &state)
   {
     write_patches<2>(std::make_unique<FacePatches>(
-                       equations, state, report.loads, report.slip_velocities),
+                       equations, state, *report.loads, report.slip_velocities),
                      report.step);
   }
 } // namespace Biface

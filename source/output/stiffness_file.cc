@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <biface/model/state/loads.h>
 #include <biface/output/csv.h>
 #include <biface/output/stiffness_file.h>
 
@@ -75,7 +76,7 @@ namespace Biface
     const FoundationReaction  &loaded    = stiffness.loaded;
     const FoundationStiffness &secant    = stiffness.secant;
     const FoundationStiffness &tangent   = stiffness.tangent;
-    const Tensor<1, 3>        &outward   = report.loads.ground()->direction();
+    const Tensor<1, 3>        &outward   = report.loads->ground()->direction();
 
     append(std::to_string(report.step) + ',' + report.stage + ',' +
            csv_number(loaded.level.pressure) + ',' +

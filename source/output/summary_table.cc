@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 
+#include <biface/model/state/loads.h>
 #include <biface/output/probes_file.h>
 #include <biface/output/summary_table.h>
 
@@ -21,8 +22,8 @@ namespace Biface
                     const std::vector<FailureMaximum> &failure_maxima)
   {
     Line line{report.step,
-              report.loads.factors[0],
-              report.loads.pressure,
+              report.loads->factors[0],
+              report.loads->pressure,
               report.level.travel,
               report.in_contact,
               report.contact,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <biface/base/errors.h>
+#include <biface/contact/rolling.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/problem/parameters.h>
 #include <biface/stepping/stage_sequence.h>

@@ -42,11 +42,11 @@ namespace Biface
      * @param entry of the radius.
      * @param distance of the shell from the body. */
     void
-    check_radius(const std::string             &entry,
-                 const double                   radius,
-                 const double                   distance,
-                 const ContactPair::Parameters &contact,
-                 const ShellMesh               &mesh)
+    check_radius(const std::string       &entry,
+                 const double             radius,
+                 const double             distance,
+                 const ContactParameters &contact,
+                 const ShellMesh         &mesh)
     {
       const unsigned int k  = contact.condition.points_per_side;
       const double shortest = shortest_side_of_cells(mesh) / std::max(1U, k);
@@ -66,8 +66,7 @@ namespace Biface
 
 
     void
-    check_foundation(const ContactPair::Parameters &contact,
-                     const ShellMesh               &mesh)
+    check_foundation(const ContactParameters &contact, const ShellMesh &mesh)
     {
       using Shape                             = RigidBody::Parameters::Shape;
       const RigidBody::Parameters &foundation = contact.body;
@@ -84,9 +83,9 @@ namespace Biface
 
 
     void
-    check_body(const BodyParameters          &body,
-               const ContactPair::Parameters &contact,
-               const ShellMesh               &mesh)
+    check_body(const BodyParameters    &body,
+               const ContactParameters &contact,
+               const ShellMesh         &mesh)
     {
       using Shape = BodyParameters::Shape;
       const double distance =

@@ -9,6 +9,7 @@
 
 #include <biface/base/gather.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/model/contact/contact_interaction.h>
 #include <biface/solver/active_set_iteration.h>
 #include <biface/surface/reference_surface.h>
 

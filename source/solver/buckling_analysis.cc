@@ -4,8 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/symmetry.h>
 #include <biface/model/mesh/rigid_motions.h>
+#include <biface/model/state/loads.h>
 #include <biface/solver/buckling_analysis.h>
 #include <biface/solver/linear/deflation.h>
 #include <biface/solver/low_rank_stiffness.h>

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include <biface/base/gather.h>
+#include <biface/model/contact/contact_interaction.h>
 #include <biface/solver/condensed_contact.h>
 
 namespace Biface

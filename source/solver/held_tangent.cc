@@ -8,7 +8,11 @@
 #include <memory>
 #include <optional>
 
+#include <biface/contact/tangential_law.h>
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/tangent_matrix.h>
+#include <biface/model/state/loads.h>
 #include <biface/solver/held_tangent.h>
 
 namespace Biface

@@ -10,9 +10,12 @@
 #include <optional>
 #include <utility>
 
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/symmetry.h>
 #include <biface/model/equations/velocity_matrix.h>
 #include <biface/model/mesh/rigid_motions.h>
+#include <biface/model/state/loads.h>
 #include <biface/solver/linear/deflation.h>
 #include <biface/solver/low_rank_stiffness.h>
 #include <biface/solver/modal_analysis.h>

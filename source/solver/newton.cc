@@ -9,7 +9,10 @@
 
 #include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/model/contact/contact_interaction.h>
 #include <biface/model/quantities/inverted_layers.h>
+#include <biface/model/state/loads.h>
+#include <biface/model/state/state.h>
 #include <biface/solver/active_set_iteration.h>
 #include <biface/solver/condensed_contact.h>
 #include <biface/solver/low_rank_stiffness.h>

@@ -2,8 +2,10 @@
 
 #include <string>
 
+#include <biface/model/contact/contact_interaction.h>
 #include <biface/model/quantities/hysteresis.h>
 #include <biface/stepping/attempt.h>
+#include <biface/stepping/stage_run.h>
 
 namespace Biface
 {
@@ -105,5 +107,16 @@ namespace Biface
                                       passed + "' in one step"};
       }
     return attempt;
+  }
+
+
+  Attempt
+  attempt_step(Newton               &newton,
+               const StageRun       &run,
+               const Control::Trial &trial,
+               const InitialGuess   &guess,
+               const NewtonIteration iteration)
+  {
+    return attempt_step(newton, run, trial, guess, iteration, run.laws);
   }
 } // namespace Biface

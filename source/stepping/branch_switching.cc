@@ -4,6 +4,7 @@
 
 #include <biface/stepping/branch_switching.h>
 #include <biface/stepping/critical_point.h>
+#include <biface/stepping/stage_run.h>
 
 namespace Biface
 {

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <limits>
 
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/model/forces/viscous_damping.h>
 #include <biface/stepping/critical_point_search.h>
+#include <biface/stepping/stage_run.h>
 
 namespace Biface
 {

@@ -9,6 +9,7 @@
 
 #include <biface/input/parameter_tools.h>
 #include <biface/stepping/friction_continuation.h>
+#include <biface/stepping/stage_run.h>
 
 namespace Biface
 {

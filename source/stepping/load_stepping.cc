@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <biface/input/entry_declarations.h>
+#include <biface/model/contact/contact_interaction.h>
 #include <biface/model/quantities/work.h>
 #include <biface/model/quantities/worst_strains.h>
 #include <biface/stepping/branch_switching.h>

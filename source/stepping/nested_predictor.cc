@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <biface/model/state/contact_points.h>
+#include <biface/model/state/state.h>
 #include <biface/stepping/nested_predictor.h>
 #include <biface/stepping/stage_sequence.h>
 

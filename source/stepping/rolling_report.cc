@@ -7,8 +7,10 @@
 #include <limits>
 
 #include <biface/input/parameter_tools.h>
+#include <biface/model/contact/contact_interaction.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/stepping/rolling_report.h>
+#include <biface/stepping/stage_run.h>
 #include <biface/stepping/wheel_motion.h>
 
 namespace Biface
@@ -18,7 +20,7 @@ namespace Biface
   void
   RollingReport::end_step(const StageRun &run, StepReport &report)
   {
-    if (!report.loads.rolling)
+    if (!report.loads->rolling)
       return;
     warn_of_fast_wheel(run, report);
     if (!run.stage.contact)
@@ -27,12 +29,12 @@ namespace Biface
       summarize_rolling(run.equations,
                         run.contact.ground(),
                         run.state,
-                        report.loads,
+                        *report.loads,
                         force_of_foundation(report.forces_of_bodies));
     if (run.heat)
       add_heat(run, report);
     report.slip_velocities =
-      slip_velocities(run.contact.ground(), run.state, report.loads);
+      slip_velocities(run.contact.ground(), run.state, *report.loads);
     if (const auto &free_radius = run.progress.free_rolling_radius)
       report.slip_ratio = slip_ratio(report.level, *free_radius);
   }
@@ -51,8 +53,9 @@ namespace Biface
           << (rolling.mismatch > 0 ? "much" : "little")
           << ": drag and rolling resistance need smaller cells around the axle"
           << std::endl;
-    report.heat = run.heat->field(
-      *rolling.hysteresis, run.heat->parts_in_contact(run.state), report.loads);
+    report.heat = run.heat->field(*rolling.hysteresis,
+                                  run.heat->parts_in_contact(run.state),
+                                  *report.loads);
     if (!run.heat->is_computed())
       return;
     if (run.heat->is_coupled())
@@ -78,7 +81,7 @@ namespace Biface
   {
     const auto &strips = run.contact.mesh.strips;
     if (warned || report.n_negative_pivots.value_or(0) == 0 ||
-        report.loads.rolling->angular_velocity == 0 ||
+        report.loads->rolling->angular_velocity == 0 ||
         std::none_of(strips.begin(), strips.end(), [](const Strip &strip) {
           return strip.laminate.mass_moments()[0][0] > 0;
         }))
@@ -88,7 +91,7 @@ namespace Biface
     for (std::size_t i = 1; i < lines.size(); ++i)
       angle = std::max(angle, lines[i] - lines[i - 1]);
     out << "  Warning: the tangent has negative pivots at the angular velocity "
-        << number_to_string(report.loads.rolling->angular_velocity)
+        << number_to_string(report.loads->rolling->angular_velocity)
         << ". Either it is above the critical velocity at which standing "
            "waves form, or the cells, of up to "
         << number_to_string(std::round(angle * 180 / numbers::PI))

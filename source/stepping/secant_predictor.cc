@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <biface/model/state/state.h>
 #include <biface/stepping/secant_predictor.h>
 
 namespace Biface

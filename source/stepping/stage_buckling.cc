@@ -2,7 +2,9 @@
 
 #include <biface/model/mesh/rigid_motions.h>
 #include <biface/stepping/buckling.h>
+#include <biface/stepping/buckling_start.h>
 #include <biface/stepping/stage_buckling.h>
+#include <biface/stepping/stage_run.h>
 
 namespace Biface
 {

@@ -2,6 +2,7 @@
 
 #include <biface/model/mesh/rigid_motions.h>
 #include <biface/stepping/stage_modes.h>
+#include <biface/stepping/stage_run.h>
 
 namespace Biface
 {
@@ -12,7 +13,7 @@ namespace Biface
       return;
     auto modes = std::make_shared<const VibrationModes>(
       modal_analysis.compute(run.state,
-                             report.loads,
+                             *report.loads,
                              run.stage.n_modes,
                              with_left(report.instant.stage)));
     if (!modes->success)

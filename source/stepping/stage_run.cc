@@ -8,6 +8,8 @@
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/contact/approach.h>
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/stepping/controls/make_control.h>
 #include <biface/stepping/stage_run.h>
 #include <biface/stepping/stage_sequence.h>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/model/contact/contact_summary.h>
 #include <biface/model/quantities/footprint.h>
 #include <biface/model/quantities/forces_on_shell.h>
@@ -13,7 +15,7 @@ namespace Biface
   report_contact(const StageRun &run, const Loads &loads, StepReport &report)
   {
     const LoadLevel &level = run.progress.reached;
-    report.loads           = loads;
+    report.loads           = std::make_shared<const Loads>(loads);
     report.level           = level;
     if (!run.stage.contact)
       for_each_motion([](auto &motion, const auto &zero) { motion = zero; },

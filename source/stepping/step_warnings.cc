@@ -6,8 +6,11 @@
 #include <cstdio>
 
 #include <biface/model/contact/approach.h>
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/model/quantities/depth_between_points.h>
 #include <biface/solver/active_set_iteration.h>
+#include <biface/stepping/stage_run.h>
 #include <biface/stepping/step_warnings.h>
 
 namespace Biface
@@ -17,8 +20,8 @@ namespace Biface
   void
   StepWarnings::end_step(const StageRun &run, StepReport &report)
   {
-    warn_of_pierced_nodes(run, report.loads);
-    warn_of_large_cells(run, report.loads);
+    warn_of_pierced_nodes(run, *report.loads);
+    warn_of_large_cells(run, *report.loads);
     warn_of_pull(run, report);
     warn_of_steep_sides(run, report);
   }
@@ -33,9 +36,9 @@ namespace Biface
     if (report.n_cuts == 0)
       return;
     for (const auto &pair : run.contact.pairs)
-      if (pair->body(report.loads) &&
+      if (pair->body(*report.loads) &&
           warned_of_steep_sides.count(pair->name) == 0 &&
-          steepest_side(*pair, run.state, report.loads) > steep)
+          steepest_side(*pair, run.state, *report.loads) > steep)
         {
           out << "  Warning: the step was halved, and a steep side of "
               << (pair.get() == &run.contact.ground()

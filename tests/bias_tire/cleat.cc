@@ -5,6 +5,8 @@
 // axle and 40 mm behind it; and pressed by a plane that is a body, or by one
 // that moves with the foundation, it has the force that the foundation has.
 
+#include <biface/model/state/loads.h>
+
 #include "../model/forces.h"
 
 using namespace Biface;
@@ -24,7 +26,7 @@ namespace
   double
   height(const Forces &forces)
   {
-    return forces.report.loads.ground()->clearance(dealii::Point<3>());
+    return forces.report.loads->ground()->clearance(dealii::Point<3>());
   }
 } // namespace
 

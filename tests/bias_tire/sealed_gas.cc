@@ -4,6 +4,8 @@
 // by 20 mm, and the force is larger by 1.0 %, as in the independent program of
 // doc/bias_tire.md; it takes no more iterations than a given pressure.
 
+#include <biface/model/state/loads.h>
+
 #include "../tests.h"
 #include "bias_tire.h"
 
@@ -21,7 +23,7 @@ main(int argc, char *argv[])
   overrides.emplace_back("Stage 2/Gas=sealed");
   const auto sealed = run_bias_tire(overrides).back();
 
-  check_range("pressure", sealed.loads.pressure, 0.15235, 0.15245);
+  check_range("pressure", sealed.loads->pressure, 0.15235, 0.15245);
   check_range("force over that with a given pressure",
               sealed.contact.force / open.contact.force,
               1.0095,

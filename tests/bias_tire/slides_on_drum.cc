@@ -7,6 +7,7 @@
 // axis is that times the radius of the drum.
 
 #include <biface/model/quantities/forces_on_shell.h>
+#include <biface/model/state/loads.h>
 
 #include "../run_analysis.h"
 #include "../tests.h"
@@ -47,7 +48,7 @@ namespace
           for (const unsigned int n : cell.nodes)
             pressure += cell.geometry.weight / 4 * state.ground().pressure(n);
         const Point<3> on_axis =
-          report.loads.ground()->present(Point<3>(radius, 0, 0));
+          report.loads->ground()->present(Point<3>(radius, 0, 0));
         foundation        = force_of_foundation(report.forces_of_bodies);
         foundation.moment = foundation.moment_about(on_axis);
       });

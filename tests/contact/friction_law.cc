@@ -6,6 +6,7 @@
 // rolling, a coefficient that falls with the slip velocity has the traction and
 // the derivatives of theory, far below and above the critical velocity.
 
+#include <biface/contact/friction.h>
 #include <biface/contact/rolling.h>
 
 #include <tests.h>

@@ -14,6 +14,7 @@
 
 #include <biface/base/errors.h>
 #include <biface/input/formula.h>
+#include <biface/model/state/loads.h>
 #include <biface/problem/design_variable.h>
 
 #include <run_analysis.h>
@@ -114,7 +115,7 @@ namespace
              const double      pressure)
   {
     const double        energy = length;
-    std::vector<double> numbers{report.loads.pressure / pressure,
+    std::vector<double> numbers{report.loads->pressure / pressure,
                                 report.contact.force,
                                 report.contact.area / (length * length),
                                 report.contact.max_pressure / pressure,

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include <biface/model/quantities/forces_on_shell.h>
+#include <biface/model/state/loads.h>
 
 #include "../run_analysis.h"
 #include "../tests.h"
@@ -34,7 +35,7 @@ namespace
     Reading result{30 * report.level.factors[0],
                    0,
                    0,
-                   report.loads.pressure,
+                   report.loads->pressure,
                    equations.internal_forces().strain_energy(state),
                    cavity.volume(state)};
     for (const auto &item : report.forces_of_bodies)

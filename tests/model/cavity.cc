@@ -9,10 +9,12 @@
 #include <cmath>
 
 #include <biface/laminate/layup.h>
+#include <biface/model/contact/contact_parameters.h>
 #include <biface/model/forces/cavity.h>
 #include <biface/model/mesh/named_points.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/model/mesh/supports.h>
+#include <biface/model/state/loads.h>
 #include <biface/surface/grid_parameters.h>
 #include <biface/surface/intervals.h>
 
@@ -141,7 +143,7 @@ main(int argc, char *argv[])
                                      StrainSampling::vertices,
                                      true,
                                      interpolation);
-      ContactPair::Parameters contact_parameters;
+      ContactParameters contact_parameters;
       contact_parameters.condition.penalty_stiffness = 1;
       const ContactInteraction contact(*mesh, contact_parameters);
       const ShellEquations equations(*mesh, make_force_terms(*mesh, contact));

@@ -11,8 +11,10 @@
 #include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/contact/contact_parameters.h>
 #include <biface/model/equations/force_terms.h>
 #include <biface/model/quantities/contact_resultants.h>
+#include <biface/model/state/loads.h>
 
 #include "coarse_torus.h"
 #include <cord_ply.h>
@@ -34,7 +36,7 @@ namespace
     const Layup layup(Layup::Parameters(), cord_ply());
     const auto  mesh = coarse_torus(layup);
 
-    ContactPair::Parameters parameters;
+    ContactParameters parameters;
     parameters.condition.mortar_matrix     = mass;
     parameters.condition.penalty_stiffness = 1;
     parameters.body                        = foundation;

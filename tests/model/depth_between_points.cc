@@ -12,6 +12,7 @@
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/quantities/depth_between_points.h>
+#include <biface/model/state/loads.h>
 #include <biface/problem/parameters.h>
 #include <biface/problem/shell_model.h>
 
@@ -37,7 +38,7 @@ main(int argc, char *argv[])
   for (const auto &[pushed, points_per_side] :
        {std::pair(1e-9, 0U), std::pair(0.3, 0U), std::pair(0.3, 2U)})
     {
-      ContactPair::Parameters laws;
+      ContactParameters laws;
       laws.condition.points_per_side = points_per_side;
       laws.tread.height              = 1;
       laws.tread.modulus             = 1;

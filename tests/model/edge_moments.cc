@@ -8,9 +8,11 @@
 
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/contact/contact_parameters.h>
 #include <biface/model/equations/force_terms.h>
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/forces/dead_loads.h>
+#include <biface/model/state/loads.h>
 
 #include "coarse_torus.h"
 #include "cord_shells.h"
@@ -32,7 +34,7 @@ namespace
         DeadLoads loads;
         loads.edge_moments =
           parse_edge_moments("moments", edge + ": 3 " + kind);
-        const ContactInteraction contact(mesh, ContactPair::Parameters());
+        const ContactInteraction contact(mesh, ContactParameters());
         ShellEquations equations(mesh, make_force_terms(mesh, contact, loads));
         Loads          at;
         at.factors = {2};
@@ -58,7 +60,7 @@ namespace
   {
     DeadLoads loads;
     loads.edge_moments = parse_edge_moments("moments", edge + ": 3 follower");
-    const ContactInteraction contact(mesh, ContactPair::Parameters());
+    const ContactInteraction contact(mesh, ContactParameters());
     const ShellEquations     equations(mesh,
                                    make_force_terms(mesh, contact, loads));
     State                    state(mesh);

@@ -7,10 +7,12 @@
 #include <biface/laminate/layup.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/contact/contact_parameters.h>
 #include <biface/model/equations/force_terms.h>
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/mesh/named_points.h>
 #include <biface/model/mesh/supports.h>
+#include <biface/model/state/loads.h>
 #include <biface/surface/grid_parameters.h>
 #include <biface/surface/intervals.h>
 
@@ -44,7 +46,7 @@ namespace
                          Supports(),
                          {});
 
-    const ContactInteraction contact(mesh, ContactPair::Parameters());
+    const ContactInteraction contact(mesh, ContactParameters());
     ShellEquations           equations(mesh, make_force_terms(mesh, contact));
     State                    state(mesh);
     LA::Vector               w = mesh.owned_vector();

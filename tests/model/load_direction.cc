@@ -10,11 +10,13 @@
 #include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/contact/contact_parameters.h>
 #include <biface/model/equations/force_terms.h>
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/forces/dead_loads.h>
 #include <biface/model/forces/pressure_load.h>
 #include <biface/model/quantities/contact_resultants.h>
+#include <biface/model/state/loads.h>
 
 #include "coarse_torus.h"
 #include <cord_ply.h>
@@ -31,7 +33,7 @@ namespace
     const Layup layup(Layup::Parameters(), cord_ply());
     const auto  mesh = coarse_torus(layup);
 
-    ContactPair::Parameters parameters;
+    ContactParameters parameters;
     parameters.condition.penalty_stiffness = 1;
     parameters.body.shape  = RigidBody::Parameters::Shape::sphere;
     parameters.body.sphere = {120};
@@ -96,7 +98,7 @@ namespace
     const Layup layup(Layup::Parameters(), cord_ply());
     const auto  mesh = coarse_torus(layup);
 
-    ContactPair::Parameters ground;
+    ContactParameters ground;
     ground.condition.penalty_stiffness   = 1;
     ground.friction.tangential_stiffness = 0.5;
     BodyParameters bar;

@@ -7,6 +7,7 @@
 #include <biface/laminate/layup.h>
 #include <biface/model/forces/force_term.h>
 #include <biface/model/forces/pressure_load.h>
+#include <biface/model/state/loads.h>
 
 #include "coarse_torus.h"
 #include <cord_ply.h>

@@ -5,6 +5,7 @@
 // replace any.
 
 #include <biface/laminate/layup.h>
+#include <biface/model/state/loads.h>
 
 #include "coarse_torus.h"
 #include <cord_ply.h>

@@ -9,6 +9,7 @@
 #include <biface/laminate/layup.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/contact/contact_parameters.h>
 #include <biface/model/equations/force_terms.h>
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/mesh/named_points.h>
@@ -51,7 +52,7 @@ namespace
                          {},
                          StrainSampling::means,
                          interpolation);
-    const ContactInteraction contact(mesh, ContactPair::Parameters());
+    const ContactInteraction contact(mesh, ContactParameters());
     ShellEquations           equations(mesh, make_force_terms(mesh, contact));
 
     const auto energy = [&](const Tensor<2, 3> &A, const Tensor<1, 3> &b) {

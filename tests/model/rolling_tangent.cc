@@ -15,8 +15,10 @@
 #include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/contact/contact_parameters.h>
 #include <biface/model/equations/force_terms.h>
 #include <biface/model/quantities/contact_resultants.h>
+#include <biface/model/state/loads.h>
 
 #include "coarse_torus.h"
 #include <cord_ply.h>
@@ -40,7 +42,7 @@ namespace
     const auto  mesh =
       coarse_torus(layup, StrainSampling::vertices, true, interpolation);
 
-    ContactPair::Parameters parameters;
+    ContactParameters parameters;
     parameters.condition.penalty_stiffness = 1;
     parameters.friction.coefficient =
       FrictionCoefficient("Friction",

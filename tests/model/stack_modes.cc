@@ -12,10 +12,12 @@
 #include <biface/laminate/layup.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/contact/contact_parameters.h>
 #include <biface/model/equations/force_terms.h>
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/mesh/named_points.h>
 #include <biface/model/mesh/supports.h>
+#include <biface/model/state/loads.h>
 #include <biface/surface/grid_parameters.h>
 #include <biface/surface/intervals.h>
 #include <biface/surface/plane.h>
@@ -62,7 +64,7 @@ namespace
         if (!mesh.constraints.is_constrained(dof))
           dofs.push_back(dof);
 
-    const ContactInteraction contact(mesh, ContactPair::Parameters());
+    const ContactInteraction contact(mesh, ContactParameters());
     ShellEquations           equations(mesh, make_force_terms(mesh, contact));
     equations.assemble(State(mesh), Loads());
     const auto              &tangent = equations.tangent();

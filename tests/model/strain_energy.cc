@@ -7,9 +7,12 @@
 #include <biface/laminate/layup.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/contact/contact_parameters.h>
 #include <biface/model/equations/force_terms.h>
 #include <biface/model/forces/dead_loads.h>
 #include <biface/model/forces/pressure_load.h>
+#include <biface/model/state/loads.h>
+#include <biface/model/state/strain_theory.h>
 
 #include "coarse_torus.h"
 #include <cord_ply.h>
@@ -37,7 +40,7 @@ namespace
     const Layup layup(parameters, materials);
     const auto  mesh = coarse_torus(layup, sampling, false, interpolation);
 
-    const ContactInteraction contact(*mesh, ContactPair::Parameters());
+    const ContactInteraction contact(*mesh, ContactParameters());
     PressureLoad             pressure;
     pressure.kind = PressureKind::dead;
     ShellEquations equations(

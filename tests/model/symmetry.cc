@@ -9,9 +9,11 @@
 #include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/contact/contact_parameters.h>
 #include <biface/model/equations/force_terms.h>
 #include <biface/model/forces/dead_loads.h>
 #include <biface/model/forces/pressure_load.h>
+#include <biface/model/state/loads.h>
 
 #include "coarse_torus.h"
 #include <cord_ply.h>
@@ -39,7 +41,7 @@ namespace
     const auto  mesh =
       coarse_torus(layup, StrainSampling::vertices, closed, interpolation);
 
-    ContactPair::Parameters contact_parameters;
+    ContactParameters contact_parameters;
     contact_parameters.condition.mortar_matrix     = mass;
     contact_parameters.condition.penalty_stiffness = 1;
     const ContactInteraction contact(*mesh, contact_parameters);

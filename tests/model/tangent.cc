@@ -11,9 +11,12 @@
 #include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/contact/contact_parameters.h>
 #include <biface/model/equations/force_terms.h>
 #include <biface/model/forces/dead_loads.h>
 #include <biface/model/forces/pressure_load.h>
+#include <biface/model/state/loads.h>
+#include <biface/model/state/strain_theory.h>
 
 #include "coarse_torus.h"
 #include <cord_ply.h>
@@ -57,7 +60,7 @@ namespace
       coarse_torus(layup, StrainSampling::vertices, false, interpolation);
 
     // a foundation as soft as the shell, so that neither hides the other
-    ContactPair::Parameters contact_parameters;
+    ContactParameters contact_parameters;
     contact_parameters.condition.mortar_matrix     = mass;
     contact_parameters.condition.penalty_stiffness = 1;
     contact_parameters.condition.points_per_side   = points;

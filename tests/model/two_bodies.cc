@@ -11,6 +11,7 @@
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/contact/contact_summary.h>
 #include <biface/model/equations/force_terms.h>
+#include <biface/model/state/loads.h>
 #include <biface/problem/parameters.h>
 #include <biface/problem/shell_model.h>
 #include <biface/solver/linear/make_linear_solver.h>
@@ -25,10 +26,10 @@ namespace
 {
   constexpr double E = 10, h = 2, length = 20, width = 10, epsilon = 500;
 
-  ContactPair::Parameters
+  ContactParameters
   plane(const Resultants::Face face)
   {
-    ContactPair::Parameters parameters;
+    ContactParameters parameters;
     parameters.face                = face;
     parameters.body.line.direction = Tensor<1, 3>({0, 0, 1});
     parameters.body.line.direction *= (face == Resultants::outer ? 1 : -1);

@@ -12,9 +12,11 @@
 #include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/contact/contact_parameters.h>
 #include <biface/model/equations/force_terms.h>
 #include <biface/model/equations/velocity_matrix.h>
 #include <biface/model/mesh/rigid_motions.h>
+#include <biface/model/state/loads.h>
 
 #include "coarse_torus.h"
 #include <cord_ply.h>
@@ -38,7 +40,7 @@ namespace
                           true,
                           interpolation);
     };
-    ContactPair::Parameters parameters;
+    ContactParameters parameters;
     parameters.condition.penalty_stiffness = 1;
     parameters.friction.coefficient =
       FrictionCoefficient("Friction", "(0.4 + 0.1*p)*(1 + exp(-s/200))/2");

@@ -8,7 +8,9 @@
 
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/contact/contact_parameters.h>
 #include <biface/model/contact/contact_summary.h>
+#include <biface/model/state/loads.h>
 
 #include "cord_shells.h"
 #include <tests.h>
@@ -23,7 +25,7 @@ namespace
   {
     const auto mesh =
       free_shell(std::make_unique<Biface::Plane>(), {{"0:4:200", "0:2:2"}});
-    const ContactInteraction contact(*mesh, ContactPair::Parameters());
+    const ContactInteraction contact(*mesh, ContactParameters());
     State                    state(*mesh);
     for (unsigned int n = 0; n < mesh->nodes.size(); ++n)
       {

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 
+#include <biface/model/state/loads.h>
 #include <biface/problem/shell_model.h>
 #include <biface/solver/linear/make_linear_solver.h>
 #include <biface/solver/modal_analysis.h>

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include <biface/laminate/layup.h>
+#include <biface/model/state/loads.h>
 #include <biface/output/shell_vtu.h>
 
 #include "../cord_ply.h"
@@ -30,7 +31,7 @@ main(int argc, char *argv[])
   State                state(*mesh);
   state.displacement = some_displacement(*mesh, 3, 1);
 
-  const FacePatches patches(equations, state);
+  const FacePatches patches(equations, state, Loads());
   std::stringstream stream;
   patches.write_vtk(stream);
 

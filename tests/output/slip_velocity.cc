@@ -9,6 +9,7 @@
 #include <map>
 #include <sstream>
 
+#include <biface/model/state/loads.h>
 #include <biface/output/shell_vtu.h>
 
 #include "../model/rolling_wheel.h"
@@ -116,7 +117,7 @@ main(int argc, char *argv[])
                  if (!report.rolling)
                    return;
                  const FacePatches patches(
-                   equations, state, report.loads, report.slip_velocities);
+                   equations, state, *report.loads, report.slip_velocities);
                  if (report.step == 4)
                    check("free", patches, false);
                  else if (report.step == 7)

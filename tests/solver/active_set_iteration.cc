@@ -9,6 +9,8 @@
 #include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/contact/contact_parameters.h>
+#include <biface/model/state/loads.h>
 #include <biface/solver/active_set_iteration.h>
 
 #include "../model/coarse_torus.h"
@@ -27,7 +29,7 @@ main(int argc, char *argv[])
 
   const Layup              layup(Layup::Parameters(), cord_ply());
   const auto               mesh = coarse_torus(layup);
-  const ContactInteraction contact(*mesh, ContactPair::Parameters());
+  const ContactInteraction contact(*mesh, ContactParameters());
   State                    state(*mesh);
 
   // the foundation goes to and fro, and the shell stands still

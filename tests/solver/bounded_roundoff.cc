@@ -9,8 +9,10 @@
 
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/contact/contact_parameters.h>
 #include <biface/model/equations/force_terms.h>
 #include <biface/model/equations/shell_equations.h>
+#include <biface/model/state/loads.h>
 #include <biface/solver/newton.h>
 
 #include "../model/cord_shells.h"
@@ -29,7 +31,7 @@ main(int argc, char *argv[])
 
   // without supports, and moved as a whole
   const auto               mesh = plate();
-  const ContactInteraction contact(*mesh, ContactPair::Parameters());
+  const ContactInteraction contact(*mesh, ContactParameters());
   ShellEquations           equations(*mesh, make_force_terms(*mesh, contact));
   State                    state(*mesh);
   LA::Vector               distance = mesh->owned_vector();

@@ -13,7 +13,9 @@
 #include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/contact/contact_parameters.h>
 #include <biface/model/equations/force_terms.h>
+#include <biface/model/state/loads.h>
 #include <biface/solver/condensed_contact.h>
 #include <biface/solver/linear/mumps_solver.h>
 
@@ -56,9 +58,9 @@ namespace
 
 
   void
-  test(const std::string             &name,
-       const ContactPair::Parameters &parameters,
-       const double                   roughness)
+  test(const std::string       &name,
+       const ContactParameters &parameters,
+       const double             roughness)
   {
     ConditionalOStream no_output(std::cout, false);
     TimerOutput timer(no_output, TimerOutput::never, TimerOutput::wall_times);
@@ -178,7 +180,7 @@ int
 main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  ContactPair::Parameters          parameters;
+  ContactParameters                parameters;
   parameters.body.line.direction     = Tensor<1, 3>({1, 0, 0});
   parameters.condition.mortar_matrix = MortarMatrix::lumped;
   test("lumped", parameters, 0.05);

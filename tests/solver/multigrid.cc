@@ -11,6 +11,7 @@
 #include <biface/model/equations/force_terms.h>
 #include <biface/model/forces/dead_loads.h>
 #include <biface/model/forces/pressure_load.h>
+#include <biface/model/state/loads.h>
 #include <biface/solver/linear/make_linear_solver.h>
 #include <biface/solver/linear/multigrid_solver.h>
 
@@ -37,7 +38,7 @@ namespace
                                        "Element/Strain sampling=means",
                                        "Linear solver/Type=iterative"});
     const ShellMesh         &mesh = analysis.simulation.get_equations().mesh;
-    const ContactInteraction contact(mesh, ContactPair::Parameters());
+    const ContactInteraction contact(mesh, ContactParameters());
     PressureLoad             pressure;
     pressure.kind = PressureKind::dead;
     ShellEquations equations(

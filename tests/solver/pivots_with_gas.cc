@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iostream>
 
+#include <biface/model/state/loads.h>
 #include <biface/problem/shell_model.h>
 #include <biface/solver/linear/mumps_solver.h>
 #include <biface/solver/newton.h>

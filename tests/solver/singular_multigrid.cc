@@ -8,6 +8,7 @@
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/force_terms.h>
+#include <biface/model/state/loads.h>
 #include <biface/solver/linear/multigrid_solver.h>
 
 #include <run_analysis.h>
@@ -23,7 +24,7 @@ main(int argc, char *argv[])
 
   const Analysis           analysis(PRM_DIR "/bias_tire.prm");
   const ShellMesh         &mesh = analysis.simulation.get_equations().mesh;
-  const ContactInteraction contact(mesh, ContactPair::Parameters());
+  const ContactInteraction contact(mesh, ContactParameters());
   ShellEquations           equations(mesh, make_force_terms(mesh, contact));
   equations.assemble(State(mesh), Loads());
 

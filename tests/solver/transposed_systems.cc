@@ -15,6 +15,7 @@
 #include <biface/model/equations/symmetry.h>
 #include <biface/model/forces/dead_loads.h>
 #include <biface/model/forces/pressure_load.h>
+#include <biface/model/state/loads.h>
 #include <biface/solver/linear/multigrid_solver.h>
 #include <biface/solver/linear/mumps_solver.h>
 
@@ -86,7 +87,7 @@ main(int argc, char *argv[])
                                        "Mesh/Intervals alpha_2=0:10:16",
                                        "Linear solver/Type=iterative"});
     const ShellMesh         &mesh = analysis.simulation.get_equations().mesh;
-    const ContactInteraction contact(mesh, ContactPair::Parameters());
+    const ContactInteraction contact(mesh, ContactParameters());
     PressureLoad             pressure;
     pressure.kind = PressureKind::follower;
     ShellEquations equations(

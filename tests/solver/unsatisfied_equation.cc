@@ -10,7 +10,9 @@
 #include <biface/laminate/layup.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/contact/contact_parameters.h>
 #include <biface/model/equations/force_terms.h>
+#include <biface/model/state/loads.h>
 #include <biface/solver/linear/make_linear_solver.h>
 #include <biface/solver/newton.h>
 
@@ -61,7 +63,7 @@ main(int argc, char *argv[])
 
   const Layup              layup(Layup::Parameters(), cord_ply());
   const auto               mesh = coarse_torus(layup);
-  const ContactInteraction contact(*mesh, ContactPair::Parameters());
+  const ContactInteraction contact(*mesh, ContactParameters());
   ShellEquations           equations(*mesh, make_force_terms(*mesh, contact));
   const auto               solver =
     make_linear_solver(LinearSolver::Parameters(), *mesh, timer);

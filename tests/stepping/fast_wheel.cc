@@ -3,6 +3,8 @@
 // A tire that spins faster and faster gets one warning, which names its largest
 // cells, when the tangent has negative pivots.
 
+#include <biface/model/state/loads.h>
+
 #include <run_analysis.h>
 #include <tests.h>
 
@@ -24,9 +26,9 @@ main(int argc, char *argv[])
   double     stable = 0, unstable = 1e9;
   const auto result =
     analysis.simulation.run([&](const StepReport &report, const State &) {
-      if (!report.loads.rolling)
+      if (!report.loads->rolling)
         return;
-      const double speed = report.loads.rolling->angular_velocity;
+      const double speed = report.loads->rolling->angular_velocity;
       if (report.n_negative_pivots.value_or(0) == 0)
         stable = std::max(stable, speed);
       else

@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+#include <biface/model/state/loads.h>
+
 #include "../run_analysis.h"
 #include <tests.h>
 
@@ -37,7 +39,7 @@ main(int argc, char *argv[])
                                         {"Gas/Polytropic exponent=" + n});
       for (unsigned int i = 1; i < reports.size(); ++i)
         {
-          const double e = -5 * reports[i].loads.factors[0] / length;
+          const double e = -5 * reports[i].loads->factors[0] / length;
           double       p = before;
           for (unsigned int k = 0; k < 50; ++k)
             p = (before + ambient) *
@@ -45,7 +47,7 @@ main(int argc, char *argv[])
                 ambient;
           check_small("n = " + n + ", end moved by " + std::to_string(i) +
                         "/2: pressure",
-                      reports[i].loads.pressure - p,
+                      reports[i].loads->pressure - p,
                       2e-3,
                       p);
           check_true("  no more than 5 iterations", reports[i].iterations <= 5);

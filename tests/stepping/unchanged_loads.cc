@@ -2,6 +2,8 @@
 
 // A stage that says nothing of pressure, load factor or travel keeps them.
 
+#include <biface/model/state/loads.h>
+
 #include "../bias_tire/bias_tire.h"
 #include "../tests.h"
 
@@ -22,7 +24,7 @@ main(int argc, char *argv[])
                                     "Stage 3/Contact=true"});
   check_true("three steps", steps.size() == 3);
   for (const StepReport &step : steps)
-    std::cout << step.loads.pressure << ' ' << step.loads.factors[0] << ' '
+    std::cout << step.loads->pressure << ' ' << step.loads->factors[0] << ' '
               << step.level.travel << std::endl;
   check_small("force",
               steps.back().contact.force - steps[1].contact.force,

@@ -9,9 +9,9 @@
 #include <iosfwd>
 #include <memory>
 
-#include <biface/model/contact/contact_interaction.h>
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/mesh/shell_mesh.h>
+#include <biface/model/state/state.h>
 #include <biface/problem/parameters.h>
 #include <biface/problem/shell_model.h>
 #include <biface/restart/checkpoint.h>

@@ -15,9 +15,9 @@
 
 #include <biface/contact/body_section.h>
 #include <biface/contact/body_shapes.h>
-#include <biface/contact/friction.h>
+#include <biface/contact/friction_coefficient.h>
 #include <biface/contact/rigid_body.h>
-#include <biface/input/parameter_tools.h>
+#include <biface/input/named_numbers.h>
 
 namespace Biface
 {

@@ -5,16 +5,10 @@
 
 #include <array>
 #include <optional>
-#include <vector>
 
 namespace Biface
 {
   class EntryDeclarations;
-
-
-  /** The points in contact, as a flag for each position. One byte each, since
-   * the elements of vector<bool> cannot be written independently. */
-  using ActiveSet = std::vector<char>;
 
 
   /** The mortar matrix of a bilinear element, by which its multipliers act on

@@ -6,27 +6,13 @@
 #include <memory>
 #include <optional>
 
-#include <biface/contact/bristles.h>
 #include <biface/contact/contact_condition.h>
 #include <biface/contact/friction.h>
-#include <biface/contact/tangential_law.h>
 
 namespace Biface
 {
-  /** What a stage sets of the laws of contact; what is not set is that of the
-   * section 'Contact'. */
-  struct ContactLawsOfStage
-  {
-    /** The coefficient of friction of the foundation. */
-    std::optional<FrictionCoefficient> friction;
-    /** The parameters @f$\varepsilon@f$ of ContactCondition and
-     * @f$\varepsilon_t@f$ of FrictionLaw, of all bodies; a tread is in series
-     * with them. Unit: pressure/length. */
-    std::optional<double> penalty_stiffness, tangential_stiffness;
-    /** Whether the nodes in contact with the foundation at the start of the
-     * stage cannot slip. */
-    bool glued = false;
-  };
+  class BristleLaw;
+  class TangentialLaw;
 
 
   /** How friction holds the points in contact. */

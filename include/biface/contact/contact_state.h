@@ -9,11 +9,25 @@
 
 #include <vector>
 
-#include <biface/contact/contact_condition.h>
-#include <biface/contact/friction.h>
+#include <biface/contact/active_set.h>
 
 namespace Biface
 {
+  /** The way in which a body holds a node sideways. */
+  enum class ContactStatus : char
+  {
+    /** The node was not in contact at the end of the last step and has no
+     * history: friction begins at the end of the step in which it enters. */
+    none,
+    /** The node sticks to its point of the body. */
+    stick,
+    /** The node slips at the limit of friction. */
+    slip,
+    /** The node sticks, however large the traction. */
+    glued
+  };
+
+
   /** What happens between a face of the shell and one rigid body, at the points
    * of this rank by their numbers, see ContactPoints. */
   struct ContactState

@@ -5,30 +5,14 @@
 
 #include <deal.II/base/tensor.h>
 
-#include <memory>
 #include <optional>
-#include <string>
 
-#include <biface/input/formula.h>
+#include <biface/contact/friction_coefficient.h>
+
 
 namespace Biface
 {
   class EntryDeclarations;
-
-
-  /** The way in which a body holds a node sideways. */
-  enum class ContactStatus : char
-  {
-    /** The node was not in contact at the end of the last step and has no
-     * history: friction begins at the end of the step in which it enters. */
-    none,
-    /** The node sticks to its point of the body. */
-    stick,
-    /** The node slips at the limit of friction. */
-    slip,
-    /** The node sticks, however large the traction. */
-    glued
-  };
 
 
   /** The law of the sliding friction between the ground and a shell that rolls,
@@ -40,72 +24,6 @@ namespace Biface
     /** Friction by the deflection of bristles, see BristleLaw. */
     bristles
   };
-
-
-  /** A coefficient of friction: a number, or a formula of the contact pressure
-   * `p` and of the slip velocity `s`, which is 0 unless the shell rolls. Copies
-   * share the formula. */
-  class FrictionCoefficient
-  {
-  public:
-    /** The number 0. */
-    FrictionCoefficient() = default;
-
-    /** @param entry for error messages.
-     *
-     * Throws InputError if the text is neither a number nor a formula that is
-     * finite for some pressure and velocity, or if the number is negative. */
-    FrictionCoefficient(const std::string &entry, const std::string &text);
-
-    /** Whether it is the number 0. */
-    bool
-    is_zero() const
-    {
-      return constant && *constant == 0;
-    }
-
-    /** Whether it depends neither on the pressure nor on the slip velocity. */
-    bool
-    is_constant() const
-    {
-      return constant.has_value();
-    }
-
-    /** Whether it depends on the slip velocity. */
-    bool
-    depends_on_speed() const;
-
-    /** The coefficient; 0 where the formula is negative, and NaN where it is
-     * not finite.
-     * @param speed the slip velocity. */
-    double
-    value(const double pressure, const double speed) const;
-
-    const std::string &
-    get_text() const
-    {
-      return text;
-    }
-
-    template <class Archive>
-    void
-    serialize(Archive &archive, const unsigned int)
-    {
-      std::string now = text;
-      archive    &now;
-      if (now != text)
-        *this = FrictionCoefficient("Friction", now);
-    }
-
-  private:
-    std::string                    text     = "0";
-    std::optional<double>          constant = 0;
-    std::shared_ptr<const Formula> formula;
-  };
-
-  /** Read a coefficient, see its constructor. */
-  FrictionCoefficient
-  parse_friction(const std::string &entry, const std::string &text);
 
 
   /**

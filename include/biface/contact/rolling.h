@@ -6,11 +6,12 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
-#include <biface/contact/friction.h>
-#include <biface/contact/rigid_body.h>
-
 namespace Biface
 {
+  class FrictionLaw;
+  class RigidBody;
+
+
   /**
    * The axes of a wheel on the ground, those of ISO 8855: forward, to the left
    * and up from the ground, right-handed. Its axle is the y axis.
@@ -132,10 +133,7 @@ namespace Biface
 
     /** Whether a particle counts as slipping. */
     bool
-    slips(const dealii::Tensor<1, 3> &slip) const
-    {
-      return slip.norm() > law.critical_velocity();
-    }
+    slips(const dealii::Tensor<1, 3> &slip) const;
 
   private:
     const FrictionLaw &law;

@@ -149,16 +149,6 @@ namespace Biface
                    const std::string &text,
                    const std::string &allowed);
 
-  /** A list of numbers with names. */
-  using NamedNumbers = std::vector<std::pair<std::string, double>>;
-
-  /** Read a list of "name: number" with different names, see
-   * split_named_list(). */
-  NamedNumbers
-  parse_named_numbers(const std::string &entry,
-                      const std::string &text,
-                      const std::string &allowed);
-
   /** A text with '_' in place of blanks, for names of files and columns. */
   std::string
   with_underscores(const std::string &text);

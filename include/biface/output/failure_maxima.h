@@ -9,7 +9,6 @@
 #include <vector>
 
 #include <biface/model/equations/shell_equations.h>
-#include <biface/model/state/state.h>
 #include <biface/output/ply_results.h>
 
 namespace Biface

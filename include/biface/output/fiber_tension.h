@@ -11,7 +11,6 @@
 #include <biface/laminate/layup.h>
 #include <biface/laminate/resultants.h>
 #include <biface/model/equations/shell_equations.h>
-#include <biface/model/state/state.h>
 
 namespace Biface
 {

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include <biface/model/equations/shell_equations.h>
-#include <biface/model/state/state.h>
 #include <biface/output/units.h>
 #include <biface/stepping/step_report.h>
 #include <biface/surface/reference_surface.h>

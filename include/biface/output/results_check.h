@@ -9,9 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include <biface/model/contact/contact_interaction.h>
 #include <biface/model/equations/shell_equations.h>
-#include <biface/model/state/state.h>
 #include <biface/stepping/step_report.h>
 
 namespace Biface

@@ -27,7 +27,7 @@ namespace Biface
      * rolls. */
     FacePatches(const ShellEquations                    &equations,
                 const State                             &state,
-                const Loads                             &loads = Loads(),
+                const Loads                             &loads,
                 const std::vector<dealii::Tensor<1, 3>> &slip_velocities = {});
   };
 

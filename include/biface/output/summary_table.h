@@ -9,7 +9,6 @@
 #include <biface/model/contact/contact_summary.h>
 #include <biface/model/mesh/named_points.h>
 #include <biface/model/mesh/shell_mesh.h>
-#include <biface/model/state/state.h>
 #include <biface/output/failure_maxima.h>
 #include <biface/stepping/step_report.h>
 

@@ -11,11 +11,12 @@
 #include <utility>
 #include <vector>
 
+#include <biface/contact/body_parameters.h>
 #include <biface/element/element_parameters.h>
 #include <biface/input/entry_declarations.h>
 #include <biface/laminate/layup.h>
 #include <biface/laminate/material_parameters.h>
-#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_parameters.h>
 #include <biface/model/forces/dead_loads.h>
 #include <biface/model/forces/gas.h>
 #include <biface/model/forces/pressure_load.h>
@@ -59,7 +60,7 @@ namespace Biface
     DeadLoads                       loads;
     PressureLoad                    pressure;
     Gas::Parameters                 gas;
-    ContactPair::Parameters         contact;
+    ContactParameters               contact;
     RollingHeat::Parameters         heat;
     std::vector<BodyParameters>     bodies;
     std::vector<Stage>              stages;

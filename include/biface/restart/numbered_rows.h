@@ -3,13 +3,15 @@
 #ifndef biface_restart_numbered_rows_h
 #define biface_restart_numbered_rows_h
 
+#include <deal.II/base/table.h>
+
 #include <cstdint>
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
+#include <biface/contact/active_set.h>
 #include <biface/element/modes.h>
 #include <biface/model/mesh/shell_mesh.h>
-#include <biface/model/state/state.h>
 
 namespace Biface
 {

@@ -10,13 +10,16 @@
 #include <deque>
 #include <string>
 
-#include <biface/contact/contact_condition.h>
-#include <biface/model/contact/contact_interaction.h>
+#include <biface/contact/active_set.h>
 #include <biface/model/mesh/shell_mesh.h>
-#include <biface/model/state/state.h>
 
 namespace Biface
 {
+  class ContactInteraction;
+  struct Loads;
+  struct State;
+
+
   /**
    * Detects cycles of the active set, in which the same two to four sets recur.
    * They can occur in the primal-dual active set method unless the matrix is an

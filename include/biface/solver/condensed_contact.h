@@ -12,10 +12,9 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
-#include <biface/model/contact/contact_interaction.h>
+#include <biface/contact/active_set.h>
 #include <biface/model/contact/unit_multipliers.h>
 #include <biface/model/equations/equation_system.h>
-#include <biface/model/state/state.h>
 #include <biface/solver/linear/linear_solver.h>
 
 namespace Biface

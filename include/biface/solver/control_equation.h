@@ -8,11 +8,15 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
-#include <biface/model/contact/contact_interaction.h>
-#include <biface/model/state/state.h>
+#include <biface/model/state/load_rates.h>
 
 namespace Biface
 {
+  class ContactInteraction;
+  struct Loads;
+  struct State;
+
+
   /** The load parameters @f$\mu_i@f$, on which the loads of a step depend. */
   using LoadParameters = std::vector<double>;
 

@@ -9,13 +9,12 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
-#include <biface/model/contact/contact_interaction.h>
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/mesh/rigid_motions.h>
-#include <biface/model/state/state.h>
 
 namespace Biface
 {
+  class ContactInteraction;
   class TangentMatrix;
 
 

@@ -11,7 +11,6 @@
 
 #include <biface/base/linear_algebra.h>
 #include <biface/model/equations/equation_system.h>
-#include <biface/model/state/state.h>
 
 namespace Biface
 {

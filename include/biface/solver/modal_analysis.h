@@ -12,11 +12,9 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
-#include <biface/model/contact/contact_interaction.h>
 #include <biface/model/equations/mass_matrix.h>
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/mesh/wave_numbers.h>
-#include <biface/model/state/state.h>
 #include <biface/solver/held_tangent.h>
 #include <biface/solver/linear/eigenpairs.h>
 #include <biface/solver/linear/linear_solver.h>

@@ -11,9 +11,7 @@
 #include <string>
 #include <vector>
 
-#include <biface/model/contact/contact_interaction.h>
 #include <biface/model/equations/equation_system.h>
-#include <biface/model/state/state.h>
 #include <biface/solver/control_equation.h>
 #include <biface/solver/failure.h>
 #include <biface/solver/linear/linear_solver.h>

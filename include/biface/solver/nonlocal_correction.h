@@ -8,7 +8,6 @@
 #include <optional>
 
 #include <biface/model/equations/equation_system.h>
-#include <biface/model/state/state.h>
 #include <biface/solver/linear/linear_solver.h>
 
 namespace Biface

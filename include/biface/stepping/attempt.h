@@ -5,14 +5,18 @@
 
 #include <memory>
 
+#include <biface/model/equations/equation_system.h>
 #include <biface/model/state/state.h>
 #include <biface/solver/newton.h>
 #include <biface/stepping/controls/control.h>
 #include <biface/stepping/load_level.h>
-#include <biface/stepping/stage_run.h>
 
 namespace Biface
 {
+  class ContactLaws;
+  class StageRun;
+
+
   /** The result of an attempt at a step. */
   struct Attempt
   {
@@ -53,15 +57,12 @@ namespace Biface
                const ContactLaws    &laws);
 
   /** Attempt a step by Newton's method with the laws of the stage. */
-  inline Attempt
+  Attempt
   attempt_step(Newton               &newton,
                const StageRun       &run,
                const Control::Trial &trial,
                const InitialGuess   &guess,
-               const NewtonIteration iteration)
-  {
-    return attempt_step(newton, run, trial, guess, iteration, run.laws);
-  }
+               const NewtonIteration iteration);
 } // namespace Biface
 
 #endif

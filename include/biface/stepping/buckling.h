@@ -3,10 +3,8 @@
 #ifndef biface_stepping_buckling_h
 #define biface_stepping_buckling_h
 
-#include <functional>
 #include <vector>
 
-#include <biface/model/state/state.h>
 #include <biface/solver/buckling_analysis.h>
 #include <biface/stepping/load_level.h>
 
@@ -36,36 +34,6 @@ namespace Biface
    * buckle. */
   LoadRates
   change_of(const LoadLevel &before, const LoadLevel &after);
-
-
-  /** An equilibrium before the end of a stage, kept by reference. */
-  struct EarlierEquilibrium
-  {
-    const State     &state;
-    const LoadLevel &level;
-  };
-
-
-  /** The equilibrium from which the resultants and loads change on the way to
-   * the end of a stage, with its loads. */
-  struct BucklingStart : public EarlierEquilibrium
-  {
-    Loads loads;
-  };
-
-
-  /** The equilibrium from which buckling at the end of a stage is predicted:
-   * that before the last step or, in linear strain theory, that at the start of
-   * the stage, whose tangent is the tangent of the stage.
-   * @param now the end of the stage.
-   * @param start the loads at the start of the stage.
-   * @param before_step the equilibrium before the last step.
-   * @param loads_at the loads of a level. */
-  BucklingStart
-  buckling_start(const State                                   &now,
-                 const LoadLevel                               &start,
-                 const EarlierEquilibrium                      &before_step,
-                 const std::function<Loads(const LoadLevel &)> &loads_at);
 
 
   /** The critical loads of buckling modes.

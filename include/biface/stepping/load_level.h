@@ -7,7 +7,6 @@
 
 #include <vector>
 
-#include <biface/model/state/state.h>
 
 namespace Biface
 {

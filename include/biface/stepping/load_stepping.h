@@ -11,10 +11,8 @@
 #include <variant>
 #include <vector>
 
-#include <biface/model/contact/contact_interaction.h>
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/quantities/worst_strains.h>
-#include <biface/model/state/state.h>
 #include <biface/solver/failure.h>
 #include <biface/solver/newton.h>
 #include <biface/stepping/attempt.h>
@@ -24,7 +22,6 @@
 #include <biface/stepping/restore_point.h>
 #include <biface/stepping/stage.h>
 #include <biface/stepping/stage_analysis.h>
-#include <biface/stepping/stage_run.h>
 #include <biface/stepping/step_report.h>
 
 namespace Biface

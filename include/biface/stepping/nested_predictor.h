@@ -9,7 +9,6 @@
 
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/state/grid_state.h>
-#include <biface/model/state/state.h>
 #include <biface/stepping/stage.h>
 
 namespace Biface

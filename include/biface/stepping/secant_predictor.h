@@ -8,7 +8,6 @@
 
 #include <biface/base/linear_algebra.h>
 #include <biface/element/modes.h>
-#include <biface/model/state/state.h>
 #include <biface/solver/control_equation.h>
 
 namespace Biface

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include <biface/model/state/state.h>
+#include <biface/model/state/strain_theory.h>
 #include <biface/solver/failure.h>
 #include <biface/stepping/load_level.h>
 #include <biface/stepping/stage_control.h>

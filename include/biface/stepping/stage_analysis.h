@@ -8,13 +8,14 @@
 #include <vector>
 
 #include <biface/model/forces/force_term.h>
-#include <biface/model/state/state.h>
 #include <biface/stepping/controls/control.h>
-#include <biface/stepping/stage_run.h>
 #include <biface/stepping/step_report.h>
 
 namespace Biface
 {
+  class StageRun;
+
+
   /** Something that accompanies the stages of a run and adds its results to
    * the reports, such as natural frequencies at the end of a stage. It never
    * changes the run. All functions are called on all ranks. */

@@ -7,6 +7,7 @@
 
 #include <functional>
 
+#include <biface/model/state/state.h>
 #include <biface/solver/buckling_analysis.h>
 #include <biface/stepping/stage_analysis.h>
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include <biface/contact/rigid_body.h>
-#include <biface/input/parameter_tools.h>
+#include <biface/contact/body_motion.h>
+#include <biface/input/named_numbers.h>
 #include <biface/model/mesh/component.h>
 
 namespace Biface

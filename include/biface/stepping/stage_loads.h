@@ -10,7 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include <biface/contact/contact_laws.h>
+#include <biface/contact/contact_laws_of_stage.h>
+#include <biface/model/state/load_rates.h>
 #include <biface/stepping/load_level.h>
 
 namespace Biface

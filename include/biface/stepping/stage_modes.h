@@ -7,7 +7,6 @@
 
 #include <functional>
 
-#include <biface/model/contact/contact_interaction.h>
 #include <biface/solver/modal_analysis.h>
 #include <biface/stepping/stage_analysis.h>
 

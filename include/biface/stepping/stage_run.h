@@ -8,10 +8,9 @@
 #include <optional>
 #include <vector>
 
-#include <biface/model/contact/contact_interaction.h>
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/heat/rolling_heat.h>
-#include <biface/model/state/state.h>
+#include <biface/model/state/loads.h>
 #include <biface/stepping/controls/control.h>
 #include <biface/stepping/progress.h>
 #include <biface/stepping/stage.h>

@@ -17,7 +17,6 @@
 #include <biface/model/quantities/forces_on_shell.h>
 #include <biface/model/quantities/rolling_summary.h>
 #include <biface/model/quantities/work.h>
-#include <biface/model/state/state.h>
 #include <biface/stepping/foundation_stiffness.h>
 #include <biface/stepping/stage.h>
 
@@ -49,9 +48,9 @@ namespace Biface
     /** The instant at the end of the step. */
     Instant instant;
     /** The name of the stage, and whether it has a foundation. */
-    std::string stage;
-    bool        in_contact = false;
-    Loads       loads;
+    std::string                  stage;
+    bool                         in_contact = false;
+    std::shared_ptr<const Loads> loads;
     /** The controlled quantity, if not a load, in words, and its value. */
     std::optional<std::pair<std::string, double>> controlled;
     /** All loads and motions reached; motions of the foundation are zero

@@ -8,7 +8,10 @@
 #include <vector>
 
 #include <biface/base/errors.h>
+#include <biface/contact/tangential_law.h>
 #include <biface/model/contact/approach.h>
+#include <biface/model/contact/contact_pair.h>
+#include <biface/model/state/loads.h>
 
 namespace Biface
 {

@@ -7,6 +7,8 @@
 
 #include <biface/base/gather.h>
 #include <biface/model/contact/bristle_lines.h>
+#include <biface/model/state/loads.h>
+#include <biface/model/state/state.h>
 
 namespace Biface
 {
@@ -166,6 +168,13 @@ namespace Biface
             start = node.first;
         follow(start);
       }
+  }
+
+
+  const BristleLaw &
+  BristleLines::law() const
+  {
+    return *body.laws.bristles();
   }
 
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <biface/contact/tangential_law.h>
+#include <biface/model/contact/bristle_lines.h>
 #include <biface/model/contact/contact_forces.h>
+#include <biface/model/state/loads.h>
 
 namespace Biface
 {
@@ -185,5 +188,13 @@ namespace Biface
                                     force);
           }
       }
+  }
+
+
+  void
+  ContactForces::start_stage(const Loads &loads, State &state) const
+  {
+    if (const PlacedBody *body = contact.body(loads))
+      body->laws.tangential().start_stage(contact.state_of(state));
   }
 } // namespace Biface

@@ -6,6 +6,8 @@
 
 #include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
+#include <biface/model/contact/contact_parameters.h>
 #include <biface/model/contact/contact_summary.h>
 
 namespace Biface
@@ -15,11 +17,11 @@ namespace Biface
   namespace
   {
     std::vector<std::unique_ptr<const ContactPair>>
-    make_pairs(const ShellMesh                            &mesh,
-               const std::vector<ContactPair::Parameters> &parameters)
+    make_pairs(const ShellMesh                      &mesh,
+               const std::vector<ContactParameters> &parameters)
     {
       std::vector<std::unique_ptr<const ContactPair>> pairs;
-      for (const ContactPair::Parameters &pair : parameters)
+      for (const ContactParameters &pair : parameters)
         pairs.push_back(
           std::make_unique<const ContactPair>(mesh, pair, pairs.size()));
       return pairs;
@@ -28,7 +30,7 @@ namespace Biface
 
     std::vector<std::unique_ptr<const ContactPair>>
     make_pairs(const ShellMesh                   &mesh,
-               const ContactPair::Parameters     &ground,
+               const ContactParameters           &ground,
                const std::vector<BodyParameters> &bodies)
     {
       auto pairs = make_pairs(mesh, {ground});
@@ -53,8 +55,7 @@ namespace Biface
 
 
   ContactInteraction::ContactInteraction(
-    const ShellMesh                            &mesh,
-    const std::vector<ContactPair::Parameters> &parameters)
+    const ShellMesh &mesh, const std::vector<ContactParameters> &parameters)
     : mesh(mesh), pairs(make_pairs(mesh, parameters))
   {
     Assert(!pairs.empty(), ExcInternalError());
@@ -63,10 +64,26 @@ namespace Biface
 
   ContactInteraction::ContactInteraction(
     const ShellMesh                   &mesh,
-    const ContactPair::Parameters     &ground,
+    const ContactParameters           &ground,
     const std::vector<BodyParameters> &bodies)
     : mesh(mesh), pairs(make_pairs(mesh, ground, bodies))
   {}
+
+
+  ContactInteraction::ContactInteraction(const ShellMesh         &mesh,
+                                         const ContactParameters &ground)
+    : ContactInteraction(mesh, ground, {})
+  {}
+
+
+  ContactInteraction::~ContactInteraction() = default;
+
+
+  State
+  ContactInteraction::unloaded_state() const
+  {
+    return State(mesh, pairs.size(), ground().points.per_cell());
+  }
 
 
   bool

@@ -4,35 +4,21 @@
 #include <array>
 
 #include <biface/base/errors.h>
+#include <biface/contact/contact_laws.h>
+#include <biface/contact/contact_laws_of_stage.h>
+#include <biface/contact/tangential_law.h>
+#include <biface/model/contact/bristle_lines.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/contact/contact_parameters.h>
+#include <biface/model/state/loads.h>
 
 namespace Biface
 {
   using namespace dealii;
 
-  void
-  ContactPair::Parameters::add_parameters(EntryDeclarations &prm)
-  {
-    body.add_parameters(prm);
-    condition.add_parameters(prm);
-    friction.add_parameters(prm);
-    tread.add_parameters(prm);
-  }
-
-
-  void
-  ContactPair::Parameters::check() const
-  {
-    condition.check();
-    friction.check();
-    tread.check();
-    body.check();
-  }
-
-
-  ContactPair::ContactPair(const ShellMesh   &mesh,
-                           const Parameters  &parameters,
-                           const unsigned int number)
+  ContactPair::ContactPair(const ShellMesh         &mesh,
+                           const ContactParameters &parameters,
+                           const unsigned int       number)
     : mesh(mesh)
     , number(number)
     , name("foundation")
@@ -59,10 +45,10 @@ namespace Biface
   } // namespace
 
 
-  ContactPair::ContactPair(const ShellMesh      &mesh,
-                           const Parameters     &ground,
-                           const BodyParameters &body,
-                           const unsigned int    number)
+  ContactPair::ContactPair(const ShellMesh         &mesh,
+                           const ContactParameters &ground,
+                           const BodyParameters    &body,
+                           const unsigned int       number)
     : mesh(mesh)
     , number(number)
     , name(body.name)
@@ -75,6 +61,30 @@ namespace Biface
     , condition_parameters(ground.condition)
     , friction_parameters(with_coefficient(ground.friction, body.friction))
   {}
+
+
+  const PlacedBody *
+  ContactPair::body(const Loads &loads) const
+  {
+    return loads.body(number);
+  }
+
+
+  bool
+  ContactPair::has_friction(const Loads &loads) const
+  {
+    return body(loads) && body(loads)->laws.has_friction();
+  }
+
+
+  double
+  ContactPair::clearance(const State       &state,
+                         const Loads       &loads,
+                         const unsigned int point) const
+  {
+    return body(loads)->body.clearance(
+      points.position(state.displacement, point));
+  }
 
 
   ContactLaws
@@ -102,6 +112,13 @@ namespace Biface
                                    tangential_stiffness(of_stage),
                                    sideways.critical_velocity),
                        kind);
+  }
+
+
+  ContactLaws
+  ContactPair::laws() const
+  {
+    return laws(ContactLawsOfStage());
   }
 
 

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include <biface/contact/tangential_law.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/model/contact/contact_summary.h>
+#include <biface/model/state/loads.h>
 
 namespace Biface
 {

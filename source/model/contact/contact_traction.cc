@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <biface/contact/contact_state.h>
 #include <biface/model/contact/contact_traction.h>
+#include <biface/model/mesh/shell_mesh.h>
+#include <biface/model/state/contact_points.h>
+#include <biface/model/state/loads.h>
+#include <biface/model/state/state.h>
 
 namespace Biface
 {
@@ -22,6 +27,15 @@ namespace Biface
       result.friction += lambda[1 + i] * tangents[i];
     result.total = lambda[0] * normal + result.friction;
     return result;
+  }
+
+
+  bool
+  slips(const ContactState &state,
+        const PlacedBody   *body,
+        const unsigned int  point)
+  {
+    return body && body->laws.has_friction() && state.slips(point);
   }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <biface/model/contact/moving_body.h>
+#include <biface/model/state/load_rates.h>
 #include <biface/model/state/state.h>
 
 namespace Biface

@@ -4,7 +4,11 @@
 
 #include <map>
 
+#include <biface/contact/tangential_law.h>
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/model/contact/unit_multipliers.h>
+#include <biface/model/state/loads.h>
 
 namespace Biface
 {

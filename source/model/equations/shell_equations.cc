@@ -11,6 +11,8 @@
 
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/equations/symmetry.h>
+#include <biface/model/forces/dependent_loads.h>
+#include <biface/model/state/loads.h>
 
 namespace Biface
 {

@@ -3,9 +3,13 @@
 #include <array>
 #include <vector>
 
+#include <biface/contact/tangential_law.h>
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/velocity_matrix.h>
 #include <biface/model/mesh/circumferential_slope.h>
 #include <biface/model/mesh/strip.h>
+#include <biface/model/state/loads.h>
 
 namespace Biface
 {

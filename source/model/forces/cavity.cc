@@ -15,6 +15,7 @@
 #include <biface/model/forces/cavity.h>
 #include <biface/model/forces/end_plates.h>
 #include <biface/model/mesh/strip.h>
+#include <biface/model/state/state.h>
 #include <biface/surface/reference_surface.h>
 
 namespace Biface

@@ -3,6 +3,7 @@
 #include <biface/model/forces/centrifugal_forces.h>
 #include <biface/model/mesh/circumferential_slope.h>
 #include <biface/model/mesh/strip.h>
+#include <biface/model/state/loads.h>
 
 namespace Biface
 {

@@ -4,6 +4,7 @@
 #include <biface/input/parameter_tools.h>
 #include <biface/model/forces/edge_moments.h>
 #include <biface/model/mesh/strip.h>
+#include <biface/model/state/loads.h>
 
 namespace Biface
 {

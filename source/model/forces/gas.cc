@@ -6,7 +6,10 @@
 #include <biface/base/errors.h>
 #include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/model/forces/dependent_loads.h>
 #include <biface/model/forces/gas.h>
+#include <biface/model/state/loads.h>
+#include <biface/model/state/state.h>
 
 namespace Biface
 {

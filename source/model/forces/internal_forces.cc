@@ -10,6 +10,8 @@
 #include <biface/laminate/layup.h>
 #include <biface/model/forces/internal_forces.h>
 #include <biface/model/mesh/strip.h>
+#include <biface/model/state/loads.h>
+#include <biface/model/state/strain_theory.h>
 
 namespace Biface
 {

@@ -6,6 +6,7 @@
 #include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/forces/pressure_load.h>
+#include <biface/model/state/loads.h>
 
 namespace Biface
 {
@@ -185,5 +186,12 @@ namespace Biface
   {
     if (kind == PressureKind::dead)
       nodal_forces.add(loads.pressure, at_unit_pressure);
+  }
+
+
+  bool
+  PressureForces::is_symmetric(const Loads &loads) const
+  {
+    return kind == PressureKind::dead || loads.pressure == 0;
   }
 } // namespace Biface

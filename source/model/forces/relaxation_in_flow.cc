@@ -13,6 +13,7 @@
 #include <biface/laminate/relaxation.h>
 #include <biface/model/forces/relaxation_in_flow.h>
 #include <biface/model/mesh/strip.h>
+#include <biface/model/state/state.h>
 
 namespace Biface
 {

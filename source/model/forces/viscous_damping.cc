@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <biface/model/forces/viscous_damping.h>
+#include <biface/model/state/loads.h>
+#include <biface/model/state/state.h>
 
 namespace Biface
 {

@@ -13,6 +13,7 @@
 #include <biface/laminate/layup.h>
 #include <biface/model/heat/rolling_heat.h>
 #include <biface/model/mesh/strip.h>
+#include <biface/model/state/loads.h>
 #include <biface/surface/reference_surface.h>
 
 namespace Biface

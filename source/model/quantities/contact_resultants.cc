@@ -5,8 +5,10 @@
 #include <cmath>
 #include <functional>
 
+#include <biface/model/contact/bristle_lines.h>
 #include <biface/model/contact/contact_forces.h>
 #include <biface/model/quantities/contact_resultants.h>
+#include <biface/model/state/loads.h>
 
 namespace Biface
 {

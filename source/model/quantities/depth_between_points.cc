@@ -8,7 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include <biface/model/contact/contact_pair.h>
 #include <biface/model/quantities/depth_between_points.h>
+#include <biface/model/state/loads.h>
 
 namespace Biface
 {

@@ -9,8 +9,10 @@
 #include <vector>
 
 #include <biface/base/gather.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/model/contact/contact_summary.h>
 #include <biface/model/quantities/footprint.h>
+#include <biface/model/state/loads.h>
 
 namespace Biface
 {

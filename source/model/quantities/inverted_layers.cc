@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <biface/model/quantities/inverted_layers.h>
+#include <biface/model/state/state.h>
 
 namespace Biface
 {

@@ -8,9 +8,13 @@
 #include <optional>
 #include <vector>
 
+#include <biface/contact/tangential_law.h>
 #include <biface/laminate/layup.h>
+#include <biface/model/contact/bristle_lines.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/model/quantities/contact_resultants.h>
 #include <biface/model/quantities/rolling_summary.h>
+#include <biface/model/state/loads.h>
 
 namespace Biface
 {

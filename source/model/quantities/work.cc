@@ -2,8 +2,11 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/model/contact/contact_summary.h>
 #include <biface/model/quantities/work.h>
+#include <biface/model/state/loads.h>
 
 namespace Biface
 {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include <biface/contact/contact_condition.h>
 #include <biface/model/state/contact_points.h>
 
 namespace Biface

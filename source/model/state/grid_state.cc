@@ -9,6 +9,7 @@
 
 #include <biface/model/state/contact_points.h>
 #include <biface/model/state/grid_state.h>
+#include <biface/model/state/state.h>
 
 namespace Biface
 {

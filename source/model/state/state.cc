@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/state/state.h>
 
 namespace Biface

@@ -11,8 +11,11 @@
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/contact/approach.h>
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/model/contact/contact_summary.h>
 #include <biface/model/quantities/rolling_summary.h>
+#include <biface/model/state/loads.h>
 #include <biface/stepping/controls/resultant_control.h>
 
 namespace Biface

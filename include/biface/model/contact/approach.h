@@ -5,10 +5,16 @@
 
 #include <deal.II/base/point.h>
 
-#include <biface/model/contact/contact_pair.h>
+#include <biface/contact/active_set.h>
 
 namespace Biface
 {
+  class ContactPair;
+  struct LoadRates;
+  struct Loads;
+  struct State;
+
+
   // Where the body of a pair meets its face, before and beside the contact.
 
   /** The travel at which the body at rest just touches a free node of the

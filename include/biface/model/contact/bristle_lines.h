@@ -15,10 +15,13 @@
 #include <biface/model/forces/force_term.h>
 #include <biface/model/mesh/flow_lines.h>
 #include <biface/model/mesh/shell_mesh.h>
-#include <biface/model/state/state.h>
 
 namespace Biface
 {
+  struct ContactState;
+  struct PlacedBody;
+
+
   /**
    * The bristles of a footprint, on all its lines of flow, see BristleLaw: each
    * rank has those of its own nodes, and knows on which nodes before them they
@@ -135,10 +138,7 @@ namespace Biface
     };
 
     const BristleLaw &
-    law() const
-    {
-      return *body.laws.bristles();
-    }
+    law() const;
 
     /** The nodes of this rank that touch or have a neighbor that does. */
     std::vector<LineNode>

@@ -59,11 +59,7 @@ namespace Biface
     /** Set what the nodes remember at the start of a stage, see
      * TangentialLaw::start_stage(). */
     void
-    start_stage(const Loads &loads, State &state) const override
-    {
-      if (const PlacedBody *body = contact.body(loads))
-        body->laws.tangential().start_stage(contact.state_of(state));
-    }
+    start_stage(const Loads &loads, State &state) const override;
 
     /** Set what the nodes remember at the end of a step, see
      * TangentialLaw::commit_step(). */

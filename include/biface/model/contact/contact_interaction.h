@@ -8,12 +8,20 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
-#include <biface/model/contact/contact_pair.h>
-#include <biface/model/mesh/shell_mesh.h>
-#include <biface/model/state/state.h>
+#include <biface/contact/active_set.h>
+#include <biface/model/contact/linearized_contact.h>
+#include <biface/model/state/load_rates.h>
 
 namespace Biface
 {
+  struct BodyParameters;
+  struct ContactParameters;
+  class ContactPair;
+  struct Loads;
+  class ShellMesh;
+  struct State;
+
+
   /** The contact of the shell with all rigid bodies. It has no state of its
    * own. Functions return the same on all ranks. */
   class ContactInteraction
@@ -22,14 +30,19 @@ namespace Biface
     /** The contact with the given pairs. The mesh is kept by reference. Throws
      * InputError if the parameters are invalid.
      * @param parameters those of each pair, the ground first. */
-    ContactInteraction(const ShellMesh                            &mesh,
-                       const std::vector<ContactPair::Parameters> &parameters);
+    ContactInteraction(const ShellMesh                      &mesh,
+                       const std::vector<ContactParameters> &parameters);
 
     /** The contact with the ground and with other bodies, whose laws are those
      * of the ground. The mesh is kept by reference. */
     ContactInteraction(const ShellMesh                   &mesh,
-                       const ContactPair::Parameters     &ground,
-                       const std::vector<BodyParameters> &bodies = {});
+                       const ContactParameters           &ground,
+                       const std::vector<BodyParameters> &bodies);
+
+    /** The contact with the ground alone. The mesh is kept by reference. */
+    ContactInteraction(const ShellMesh &mesh, const ContactParameters &ground);
+
+    ~ContactInteraction();
 
     /** The pair with the body on which the shell is pressed, whose motion and
      * force stages prescribe. */
@@ -41,17 +54,14 @@ namespace Biface
 
     /** The state of the unloaded shell, with a ContactState for each pair. */
     State
-    unloaded_state() const
-    {
-      return State(mesh, pairs.size(), ground().points.per_cell());
-    }
+    unloaded_state() const;
 
     /** Whether a body that is there holds nodes sideways. */
     bool
     has_friction(const Loads &loads) const;
 
     /** The linearizations of all pairs. */
-    using Linearizations = std::vector<ContactPair::Linearizations>;
+    using Linearizations = std::vector<std::vector<LinearizedContact>>;
 
     /** The contact at the active points of all pairs, linearized, see
      * ContactPair::linearize(). */

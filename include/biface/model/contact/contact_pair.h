@@ -13,21 +13,28 @@
 #include <biface/base/linear_algebra.h>
 #include <biface/contact/body_parameters.h>
 #include <biface/contact/contact_condition.h>
-#include <biface/contact/contact_laws.h>
 #include <biface/contact/friction.h>
 #include <biface/contact/rigid_body.h>
 #include <biface/contact/tread.h>
-#include <biface/model/contact/bristle_lines.h>
 #include <biface/model/contact/contact_traction.h>
+#include <biface/model/contact/linearized_contact.h>
 #include <biface/model/contact/moving_body.h>
 #include <biface/model/mesh/flow_lines.h>
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/state/contact_points.h>
+#include <biface/model/state/load_rates.h>
 #include <biface/model/state/state.h>
 
 namespace Biface
 {
-  class EntryDeclarations;
+  class BristleLines;
+  class ContactLaws;
+  struct ContactLawsOfStage;
+  struct ContactParameters;
+  struct LinearizedTraction;
+  struct Loads;
+  struct PointInContact;
+  class TangentialLaw;
 
 
   /**
@@ -39,39 +46,22 @@ namespace Biface
   class ContactPair
   {
   public:
-    struct Parameters
-    {
-      RigidBody::Parameters        body;
-      ContactCondition::Parameters condition;
-      FrictionLaw::Parameters      friction;
-      TreadParameters              tread;
-      /** The face of the shell that touches the body. */
-      Resultants::Face face = Resultants::outer;
-
-      void
-      add_parameters(EntryDeclarations &prm);
-
-      /** Throws InputError if a value is invalid. */
-      void
-      check() const;
-    };
-
     /** The pair with the ground or with another body of given parameters. The
      * mesh is kept by reference. Throws InputError if the parameters are
      * invalid.
      * @param number the position of the pair in State::contacts and
      * Loads::bodies. */
-    ContactPair(const ShellMesh   &mesh,
-                const Parameters  &parameters,
-                const unsigned int number);
+    ContactPair(const ShellMesh         &mesh,
+                const ContactParameters &parameters,
+                const unsigned int       number);
 
     /** The pair with a body that is not the ground, whose laws of contact are
      * those of the ground, except the coefficient of friction. A tread lies
      * between both if the body touches it. */
-    ContactPair(const ShellMesh      &mesh,
-                const Parameters     &ground,
-                const BodyParameters &body,
-                const unsigned int    number);
+    ContactPair(const ShellMesh         &mesh,
+                const ContactParameters &ground,
+                const BodyParameters    &body,
+                const unsigned int       number);
 
     /** The contact state of this pair. */
     const ContactState &
@@ -89,17 +79,11 @@ namespace Biface
     /** The body at its present place with the laws of its contact; null if it
      * is not there. */
     const PlacedBody *
-    body(const Loads &loads) const
-    {
-      return loads.body(number);
-    }
+    body(const Loads &loads) const;
 
     /** Whether the body is there and holds nodes sideways. */
     bool
-    has_friction(const Loads &loads) const
-    {
-      return body(loads) && body(loads)->laws.has_friction();
-    }
+    has_friction(const Loads &loads) const;
 
     /** The bristles on the lines of flow, if the body holds the nodes by them.
      * Must be called on all ranks; the body must outlive the result. */
@@ -109,8 +93,11 @@ namespace Biface
     /** The laws of contact in a stage.
      * @param rolls whether the shell rolls. */
     ContactLaws
-    laws(const ContactLawsOfStage &of_stage = {},
-         const bool                rolls    = false) const;
+    laws(const ContactLawsOfStage &of_stage, const bool rolls = false) const;
+
+    /** The laws of contact of which a stage sets nothing. */
+    ContactLaws
+    laws() const;
 
     /** The parameter @f$\varepsilon_t@f$ of FrictionLaw in a stage, with the
      * tread. Unit: pressure/length. */
@@ -130,11 +117,7 @@ namespace Biface
     double
     clearance(const State       &state,
               const Loads       &loads,
-              const unsigned int point) const
-    {
-      return body(loads)->body.clearance(
-        points.position(state.displacement, point));
-    }
+              const unsigned int point) const;
 
     /** The geometry at a point that may touch the body, which must be there and
      * outlive the result. */
@@ -143,21 +126,9 @@ namespace Biface
              const Loads       &loads,
              const unsigned int point) const;
 
-    /** The contact at an active point, linearized in its motion against the
-     * body. */
-    struct Linearization
-    {
-      dealii::Point<3>     position;
-      double               clearance;
-      dealii::Tensor<1, 3> normal;
-      /** The motion of the body at the point in the increment that follows.
-       * Unit: length. */
-      dealii::Tensor<1, 3> of_body;
-    };
-
     /** The linearizations by point of this rank; of use at active points
      * only. */
-    using Linearizations = std::vector<Linearization>;
+    using Linearizations = std::vector<LinearizedContact>;
 
     /** The contact at the active points, linearized.
      * @param change that of the loads in the increment that follows. */

@@ -3,10 +3,14 @@
 #ifndef biface_model_contact_contact_summary_h
 #define biface_model_contact_contact_summary_h
 
-#include <biface/model/contact/contact_pair.h>
 
 namespace Biface
 {
+  class ContactPair;
+  struct Loads;
+  struct State;
+
+
   /** The figures of a contact zone. */
   struct ContactSummary
   {

@@ -6,12 +6,14 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
-#include <biface/model/mesh/shell_mesh.h>
-#include <biface/model/state/contact_points.h>
-#include <biface/model/state/state.h>
-
 namespace Biface
 {
+  struct ContactState;
+  struct PlacedBody;
+  class ShellMesh;
+  struct State;
+
+
   /** The traction of a body on the shell. Unit: force/area. */
   struct ContactTraction
   {
@@ -33,13 +35,10 @@ namespace Biface
 
   /** Whether a point slips at the limit of friction of a body, which is null if
    * it is not there. */
-  inline bool
+  bool
   slips(const ContactState &state,
         const PlacedBody   *body,
-        const unsigned int  point)
-  {
-    return body && body->laws.has_friction() && state.slips(point);
-  }
+        const unsigned int  point);
 
 
   /** What happens at the nodes of this rank between the shell and a body: what

@@ -9,11 +9,14 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
-#include <biface/model/contact/contact_interaction.h>
-#include <biface/model/state/state.h>
 
 namespace Biface
 {
+  class ContactInteraction;
+  struct Loads;
+  struct State;
+
+
   /** A point of a pair, the same on all ranks: the number of the pair, and the
    * number of the node or of the point in a cell, which do not depend on the
    * number of ranks. */

@@ -10,10 +10,26 @@
 #include <biface/base/linear_algebra.h>
 #include <biface/model/forces/nonlocal_stiffness.h>
 #include <biface/model/mesh/shell_mesh.h>
-#include <biface/model/state/state.h>
 
 namespace Biface
 {
+  struct LoadRates;
+  struct Loads;
+  struct State;
+
+
+  /** The update of the resultants in an iteration, see
+   * ShellEquations::update(). */
+  enum class NewtonIteration
+  {
+    /** The resultants are unknowns of the Hu-Washizu functional and are set to
+     * their linearized prediction. */
+    mixed,
+    /** The resultants follow from the displacements. */
+    substituted
+  };
+
+
   /**
    * The equations that Newton's method solves for the state at the end of a
    * step: residual and tangent at any state, and the update of a state by an

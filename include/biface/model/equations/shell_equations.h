@@ -15,7 +15,6 @@
 #include <biface/model/forces/internal_forces.h>
 #include <biface/model/forces/nodal_forces.h>
 #include <biface/model/mesh/shell_mesh.h>
-#include <biface/model/state/state.h>
 
 namespace Biface
 {

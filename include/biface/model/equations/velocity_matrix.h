@@ -6,13 +6,14 @@
 #include <memory>
 
 #include <biface/base/linear_algebra.h>
-#include <biface/model/contact/contact_interaction.h>
 #include <biface/model/equations/tangent_matrix.h>
 #include <biface/model/mesh/shell_mesh.h>
-#include <biface/model/state/state.h>
 
 namespace Biface
 {
+  class ContactInteraction;
+
+
   /**
    * Minus the derivative of the forces on a rolling or spinning shell with
    * respect to velocities @f$\dot{\mathbf u}@f$ of its nodes in the frame of

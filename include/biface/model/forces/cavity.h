@@ -11,11 +11,11 @@
 #include <biface/base/linear_algebra.h>
 #include <biface/laminate/resultants.h>
 #include <biface/model/mesh/shell_mesh.h>
-#include <biface/model/state/state.h>
 
 namespace Biface
 {
   class EntryDeclarations;
+  struct State;
 
 
   /**

@@ -9,6 +9,7 @@
 #include <biface/model/forces/force_term.h>
 #include <biface/model/forces/pressure_load.h>
 #include <biface/model/mesh/shell_mesh.h>
+#include <biface/model/state/load_rates.h>
 
 namespace Biface
 {

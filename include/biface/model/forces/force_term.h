@@ -14,27 +14,20 @@
 #include <biface/base/linear_algebra.h>
 #include <biface/element/mixed_element.h>
 #include <biface/model/mesh/shell_mesh.h>
-#include <biface/model/state/state.h>
 
 namespace Biface
 {
+  struct DependentLoads;
+  struct LoadRates;
+  struct Loads;
+  struct State;
+
+
   /** An interval of time between two equilibria. Each stage takes the time
    * 1. */
   struct TimeInterval
   {
     double start = 0, end = 0;
-  };
-
-
-  /** Loads that change with the displacements of the whole shell, such as the
-   * pressure of a sealed gas. */
-  struct DependentLoads
-  {
-    /** The change of the loads per unit of a quantity, and the derivative of
-     * this quantity with respect to the nodal unknowns (locally owned
-     * entries). */
-    LoadRates  rates;
-    LA::Vector gradient;
   };
 
 

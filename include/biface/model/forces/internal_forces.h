@@ -9,12 +9,15 @@
 #include <biface/element/modes.h>
 #include <biface/model/forces/force_term.h>
 #include <biface/model/forces/relaxation_in_flow.h>
+#include <biface/model/state/state.h>
 
 namespace Biface
 {
   struct HistoryOfPlies;
   class NonlinearPlies;
   struct StrainsOfPlies;
+  enum class StrainTheory;
+
 
   /**
    * The internal forces of the layers, including those of initial resultants,

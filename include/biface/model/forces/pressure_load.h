@@ -12,6 +12,7 @@
 #include <biface/input/formula.h>
 #include <biface/model/forces/force_term.h>
 #include <biface/model/mesh/shell_mesh.h>
+#include <biface/model/state/load_rates.h>
 #include <biface/surface/chart_grid.h>
 
 namespace Biface
@@ -107,10 +108,7 @@ namespace Biface
                     LA::Vector      &nodal_forces) const override;
 
     bool
-    is_symmetric(const Loads &loads) const override
-    {
-      return kind == PressureKind::dead || loads.pressure == 0;
-    }
+    is_symmetric(const Loads &loads) const override;
 
   private:
     /** The forces of a unit pressure on the deformed face of a cell. */

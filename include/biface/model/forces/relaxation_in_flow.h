@@ -16,7 +16,6 @@
 #include <biface/laminate/time_step.h>
 #include <biface/model/forces/nonlocal_stiffness.h>
 #include <biface/model/mesh/shell_mesh.h>
-#include <biface/model/state/state.h>
 
 namespace Biface
 {
@@ -24,6 +23,8 @@ namespace Biface
   class NonlinearPlies;
   class RelaxationAroundLine;
   struct RelaxingStress;
+  struct State;
+
 
   /**
    * The relaxation of stresses in a wheel that rolls steadily: the material

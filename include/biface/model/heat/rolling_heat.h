@@ -10,7 +10,6 @@
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/heat/wall_conduction.h>
 #include <biface/model/quantities/hysteresis.h>
-#include <biface/model/state/state.h>
 
 namespace Biface
 {

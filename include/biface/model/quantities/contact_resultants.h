@@ -6,11 +6,15 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
-#include <biface/model/contact/contact_pair.h>
-#include <biface/model/state/state.h>
+#include <biface/model/state/load_rates.h>
 
 namespace Biface
 {
+  class ContactPair;
+  struct Loads;
+  struct State;
+
+
   /** A component of the resultant of the forces between shell and foundation,
    * or another body, with its derivatives for a fixed active set. */
   struct ContactResultant

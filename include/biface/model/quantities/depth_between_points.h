@@ -3,10 +3,14 @@
 #ifndef biface_model_quantities_depth_between_points_h
 #define biface_model_quantities_depth_between_points_h
 
-#include <biface/model/contact/contact_pair.h>
 
 namespace Biface
 {
+  class ContactPair;
+  struct Loads;
+  struct State;
+
+
   /** How far a body is in the shell between the points that make contact. */
   struct DepthBetweenPoints
   {

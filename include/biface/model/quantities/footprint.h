@@ -3,11 +3,14 @@
 #ifndef biface_model_quantities_footprint_h
 #define biface_model_quantities_footprint_h
 
-#include <biface/model/contact/contact_pair.h>
-#include <biface/model/state/state.h>
 
 namespace Biface
 {
+  class ContactPair;
+  struct Loads;
+  struct State;
+
+
   /**
    * The figures of a footprint, the zone of contact seen along the direction in
    * which the foundation travels, between the nodes of the mesh.

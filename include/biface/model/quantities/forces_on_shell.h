@@ -10,7 +10,6 @@
 #include <vector>
 
 #include <biface/model/equations/shell_equations.h>
-#include <biface/model/state/state.h>
 
 namespace Biface
 {

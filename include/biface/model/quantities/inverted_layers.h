@@ -8,10 +8,12 @@
 #include <optional>
 
 #include <biface/model/mesh/shell_mesh.h>
-#include <biface/model/state/state.h>
 
 namespace Biface
 {
+  struct State;
+
+
   /** A layer whose outer face lies below its inner face at a vertex of a cell.
    */
   struct InvertedLayer

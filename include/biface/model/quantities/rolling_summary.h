@@ -11,7 +11,6 @@
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/quantities/forces_on_shell.h>
 #include <biface/model/quantities/hysteresis.h>
-#include <biface/model/state/state.h>
 
 namespace Biface
 {

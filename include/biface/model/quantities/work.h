@@ -3,12 +3,13 @@
 #ifndef biface_model_quantities_work_h
 #define biface_model_quantities_work_h
 
-#include <biface/model/contact/contact_interaction.h>
 #include <biface/model/forces/nodal_forces.h>
-#include <biface/model/state/state.h>
 
 namespace Biface
 {
+  class ContactInteraction;
+
+
   /** Work done on the shell. Unit: force times length. */
   struct Work
   {

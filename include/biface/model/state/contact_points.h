@@ -10,13 +10,16 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
-#include <biface/contact/contact_condition.h>
+#include <biface/contact/active_set.h>
 #include <biface/contact/contact_state.h>
 #include <biface/laminate/resultants.h>
 #include <biface/model/mesh/shell_mesh.h>
 
 namespace Biface
 {
+  enum class MortarMatrix;
+
+
   /**
    * The points of a face of the shell at which it may touch a body, each with a
    * multiplier of its own: the nodes, or @f$k\times k@f$ points in each cell,

@@ -11,11 +11,13 @@
 
 #include <biface/element/modes.h>
 #include <biface/model/mesh/shell_mesh.h>
-#include <biface/model/state/state.h>
 #include <biface/surface/chart_grid.h>
 
 namespace Biface
 {
+  struct State;
+
+
   /**
    * A state stored by grid lines, which can be evaluated at any position of the
    * surface and on any rank, independently of the distribution of its mesh.

@@ -12,10 +12,8 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
-#include <biface/model/contact/contact_interaction.h>
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/mesh/shell_mesh.h>
-#include <biface/model/state/state.h>
 #include <biface/solver/control_equation.h>
 #include <biface/stepping/controls/step_size.h>
 #include <biface/stepping/stage.h>

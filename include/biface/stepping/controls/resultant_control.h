@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include <biface/model/contact/contact_interaction.h>
 #include <biface/model/quantities/contact_resultants.h>
 #include <biface/stepping/controls/equal_steps.h>
 
