@@ -121,8 +121,8 @@ as shipped, is that of a corner and grows as the cells become smaller.
 - The tank is held by contact alone. The bed starts 0.01 mm too high, so that some nodes touch it; with a bed that just
   touches, the first iteration has no contact, and the tank falls.
 - A ring in a bed of its own radius rests on all nodes at first, and they let go one after the other:
-  the ring above, on cells of 0.1 degrees at the horn, takes {iterations} iterations, more than the 25 and 150 that
-  `Newton/Maximum iterations` and `Step control/Maximum iterations` allow; the script sets 200 and 400.
+  the ring above, on cells of 0.1 degrees at the horn, takes {iterations} iterations, more than the 25 that
+  `Newton/Maximum iterations` allows; the script sets 200.
 
 ## A strap around a drum
 
@@ -422,8 +422,7 @@ def points_at(places):
                      for i, alpha_1, j, alpha_2 in places)
 
 
-SLOWLY = {"Newton/Maximum iterations": 200,
-          "Step control/Maximum iterations": 400}
+SLOWLY = {"Newton/Maximum iterations": 200}
 RING_MESH = "0:50:100, 50:56:24, 56:64:80, 64:70:24, 70:180:220"
 RING = {"Surface/Straight line/End": "1000, 1",
         "Mesh/Intervals alpha_1": "0:1:1",

@@ -168,7 +168,6 @@ namespace Biface
     contact.check();
     heat.check();
     newton.check();
-    checkpoint.check();
     sensitivities.check(stages.size());
     check_stages(stages);
     check_bodies();

@@ -3,7 +3,6 @@
 #include <deal.II/base/mpi.h>
 
 #include <biface/input/entry_declarations.h>
-#include <biface/input/parameter_tools.h>
 #include <biface/restart/checkpoint_writer.h>
 
 namespace Biface
@@ -21,21 +20,10 @@ namespace Biface
     prm.add_parameter("Every steps",
                       every_steps,
                       "Number of converged steps between checkpoints; 0: not "
-                      "used. A checkpoint is always written at the end.",
+                      "used. A checkpoint is also written after the first step "
+                      "that ends three seconds or more after the last one, and "
+                      "at the end.",
                       Patterns::Integer(0));
-    prm.add_parameter("Every minutes",
-                      every_minutes,
-                      "Wall time between checkpoints, checked after each "
-                      "step; 0: not used.",
-                      Patterns::Double(0),
-                      Unit("minutes"));
-  }
-
-
-  void
-  CheckpointWriter::Parameters::check() const
-  {
-    check_not_negative("Checkpoint/Every minutes", every_minutes);
   }
 
 
@@ -60,12 +48,13 @@ namespace Biface
   void
   CheckpointWriter::write_if_due(RunRecord &record)
   {
-    const unsigned int n_steps = progress.n_steps - last_step;
+    constexpr double   max_seconds = 3;
+    const unsigned int n_steps     = progress.n_steps - last_step;
     // use the clock of one rank
-    const double minutes =
-      Utilities::MPI::broadcast(mesh.communicator, since_last.wall_time() / 60);
+    const double seconds =
+      Utilities::MPI::broadcast(mesh.communicator, since_last.wall_time());
     if ((parameters.every_steps > 0 && n_steps >= parameters.every_steps) ||
-        (parameters.every_minutes > 0 && minutes >= parameters.every_minutes))
+        seconds >= max_seconds)
       write(record);
   }
 

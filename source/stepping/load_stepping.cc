@@ -30,12 +30,6 @@ namespace Biface
                       "displacements extrapolated from the last step, which "
                       "saves iterations.",
                       Patterns::Bool());
-    prm.add_parameter("Maximum iterations",
-                      max_iterations,
-                      "Number of iterations in all attempts at a step after "
-                      "which it is not halved again, so that a step that "
-                      "cannot converge ends in bounded time.",
-                      Patterns::Integer(1));
   }
 
 
@@ -229,7 +223,9 @@ namespace Biface
         failure.failure            = {FailureCause::too_many_steps, message};
         return failure;
       }
-    unsigned int n_cuts = 0, n_iterations = 0;
+    // a step that cannot converge ends in bounded time
+    constexpr unsigned int max_iterations = 150;
+    unsigned int           n_cuts = 0, n_iterations = 0;
     while (true)
       {
         // The time of a step is that of its last attempt alone.
@@ -254,7 +250,7 @@ namespace Biface
             out << "  not converged: " << why.message << std::endl;
             // a smaller step has the same matrix
             if (why.cause != FailureCause::out_of_memory &&
-                n_iterations < parameters.max_iterations && run.control->cut())
+                n_iterations < max_iterations && run.control->cut())
               {
                 out << "  halving the step" << std::endl;
                 ++n_cuts;

@@ -23,16 +23,11 @@ namespace Biface
   public:
     struct Parameters
     {
-      bool         write         = true;
-      unsigned int every_steps   = 0;
-      double       every_minutes = 0.05;
+      bool         write       = true;
+      unsigned int every_steps = 0;
 
       void
       add_parameters(EntryDeclarations &prm);
-
-      /** Throws InputError if a value is invalid. */
-      void
-      check() const;
     };
 
     /** The state of the run after the last converged step. */

@@ -70,9 +70,6 @@ namespace Biface
     {
       Control::Parameters control;
       bool                predict = true;
-      /** The maximum number of iterations in all attempts at a step, after
-       * which it is not halved again. */
-      unsigned int max_iterations = 150;
       /** The stage after which the run ends; the last one at the latest. */
       unsigned int last_stage = dealii::numbers::invalid_unsigned_int;
 

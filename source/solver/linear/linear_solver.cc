@@ -23,14 +23,6 @@ namespace Biface
       "'direct' (MUMPS: LDL^T if the tangent is symmetric, LU otherwise) or "
       "'iterative' (GMRES with multigrid, which halves the number of grid "
       "lines again and again: less memory, and on fine meshes less time).");
-    prm.add_parameter(
-      "Single precision",
-      single_precision,
-      "Whether MUMPS factorizes in single precision, in half the memory and "
-      "little more than half the time, where that pays. The factors "
-      "precondition GMRES in double precision; if it does not converge in a "
-      "few iterations, as in very thin shells, factors are computed in double "
-      "precision from then on.");
     multigrid.add_parameters(prm);
   }
 

@@ -16,8 +16,7 @@ namespace Biface
     switch (parameters.type)
       {
         case LinearSolver::Parameters::Type::direct:
-          return std::make_unique<MumpsSolver>(
-            mesh.communicator, timer, parameters.single_precision);
+          return std::make_unique<MumpsSolver>(mesh.communicator, timer);
         case LinearSolver::Parameters::Type::iterative:
           return std::make_unique<MultigridSolver>(
             parameters.multigrid, mesh, timer);

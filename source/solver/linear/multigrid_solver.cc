@@ -146,11 +146,6 @@ namespace Biface
                       "Number of GMRES iterations after which a linear solve "
                       "has failed.",
                       Patterns::Integer(1));
-    prm.add_parameter("Restart length",
-                      restart_length,
-                      "Number of iterations after which GMRES restarts; each "
-                      "needs the memory of a vector.",
-                      Patterns::Integer(10));
     prm.add_parameter("Coarsest unknowns",
                       coarsest_unknowns,
                       "Every second mesh line is left out, again and again, "
@@ -390,13 +385,15 @@ namespace Biface
   {
     // tolerance of a single run of GMRES; the smoother is in single precision
     constexpr double minimum = 1e-6;
+    // each needs the memory of a vector
+    constexpr unsigned int iterations_before_restart = 300;
 
     TimerOutput::Scope scope(timer, "Linear solver: multigrid iterations");
 
     LinearSolverResult                            result;
     const SystemMatrix                            A{*matrix, system};
     const SolverGMRES<LA::Vector>::AdditionalData vectors(
-      parameters.restart_length + 2);
+      iterations_before_restart + 2);
     LA::Vector   residual(b), correction(b);
     unsigned int n_iterations = 0;
     // by the estimates of GMRES, which do not see round-off

@@ -78,14 +78,10 @@ namespace Biface
         return type == Type::iterative;
       }
 
-      /** Whether factors in single precision are tried, see MumpsSolver. */
-      bool single_precision = true;
-
       /** Parameters of MultigridSolver. */
       struct Multigrid
       {
         unsigned int max_iterations    = 300;
-        unsigned int restart_length    = 300;
         unsigned int coarsest_unknowns = 12000;
 
         void
