@@ -277,35 +277,15 @@ namespace Biface
     }
 
 
-    /** Old names that still work. */
-    std::vector<OldName>
-    old_names()
-    {
-      return {
-        {"Points", "Named points"},
-        {"Surface/Meridian=points", "Surface/Meridian=spline"},
-        {"Surface/Points/", "Surface/Spline/"},
-        {"Surface/Straight line/Begin", "Surface/Straight line/Start"},
-        {"Supports/Points", "Supports/Point supports"},
-        {"Supports/*=mean", "Supports/*=middle"},
-        {"Loads/Pressure", "Loads/Pressure type"},
-        {"Loads/Area of face loads=midway", "Loads/Area of face loads=middle"},
-        {"Contact/Plane normal", "Contact/Direction"},
-        {"Stage N/Begin from prestress", "Stage N/Start from prestress"},
-        {"Step control/Greatest growth", "Step control/Maximum growth"}};
-    }
-
-
     /** Read settings; later ones replace earlier ones.
      * @param file_name the file to whose folder names of files are relative.
-     * @return notes: the old names in the settings, and what is ignored. */
+     * @return sentences about what is ignored. */
     std::vector<std::string>
     parse_sources(std::vector<Source> sources,
                   const std::string  &file_name,
                   Parameters         &parameters,
                   ParameterHandler   &prm)
     {
-      std::vector<OldName> used_old_names;
       // these determine which sections exist
       ParameterHandler         names_only;
       unsigned int             n_stages = 1;
@@ -318,13 +298,6 @@ namespace Biface
         "Bodies", bodies, "", Patterns::List(Patterns::Anything()));
       for (Source &source : sources)
         {
-          for (const OldName &old : replace_old_names(source.text, old_names()))
-            if (std::none_of(used_old_names.begin(),
-                             used_old_names.end(),
-                             [&](const OldName &other) {
-                               return other.old_name == old.old_name;
-                             }))
-              used_old_names.push_back(old);
           check_parameter_text(source.name, source.text);
           parse_parameter_text(names_only, source.name, source.text, true);
           source.last_section = n_stages;
@@ -353,9 +326,6 @@ namespace Biface
 
       make_names_absolute(file_name, parameters, prm);
       std::vector<std::string> notes;
-      for (const OldName &old : used_old_names)
-        notes.push_back("'" + old.old_name + "' is now called '" +
-                        old.new_name + "'; the old name still works.");
       for (const std::string &section : surplus)
         notes.push_back("The section '" + section +
                         "' is ignored: 'Number of stages' is " +

@@ -46,7 +46,7 @@ class Run:
 
     def setting(self, entry, otherwise=None):
         """The value of an entry."""
-        found = self.parameters.find(entry)
+        found = self.parameters.entries.get(entry)
         return found.value if found else otherwise
 
 

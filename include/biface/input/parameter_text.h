@@ -66,27 +66,6 @@ namespace Biface
   check_parameter_text(const std::string &source, const std::string &text);
 
 
-  /**
-   * An old name that parameter files may still use, and the new one: an entry
-   * "Section/Entry", a section "Section/Subsection/", or one of the words in
-   * the value of an entry, "Section/Entry=word". "Stage N/" stands for all
-   * stages, and an asterisk instead of the entry for all entries of the
-   * section.
-   */
-  struct OldName
-  {
-    std::string old_name;
-    std::string new_name;
-  };
-
-
-  /** Replace old names by new ones in a parameter file; lines keep their
-   * numbers.
-   * @return the replaced names, each once. */
-  std::vector<OldName>
-  replace_old_names(std::string &text, const std::vector<OldName> &names);
-
-
   /** The position of a line, as the start of a message.
    * @param source the name of the text in error messages.
    * @param line its number. */

@@ -248,7 +248,7 @@ namespace Biface
    * @param parameters the result.
    * @param prm receives the declared entries and their values.
    *
-   * @return sentences about old names in use and sections that are ignored.
+   * @return sentences about sections that are ignored.
    */
   std::vector<std::string>
   parse_parameters(const std::string           &file_name,

@@ -22,10 +22,6 @@ Entry = namedtuple("Entry", "name value default")
 
 ENTRY = re.compile(r"set\s+(.*?)\s*=\s*(.*?)\s*"
                    r"(?:#\s*(?:default:\s*(.*?)\s*|.*))?$")
-# Entries that had other names in older files
-OLD_NAMES = {"Direction": "Plane normal", "Named points": "Points",
-             "Start from prestress": "Begin from prestress"}
-
 ORIGIN = re.compile(r"#\s*biface\s+(\S+?)(?:,\s*from\s+(.+?))?\s*$")
 
 
@@ -40,12 +36,6 @@ class Parameters:
     def __getitem__(self, name: str) -> str:
         """The value of an entry, as text."""
         return self.entries[name].value
-
-    def find(self, name):
-        """An entry by its name, or by its older one; None if it is missing."""
-        section, slash, entry = name.rpartition("/")
-        return self.entries.get(name) or self.entries.get(
-            section + slash + OLD_NAMES.get(entry, entry))
 
     def changed(self):
         """The entries whose values are not the defaults."""

@@ -266,7 +266,7 @@ class Results:
 
     def setting(self, entry, otherwise=None):
         """The value of an entry of parameters.prm, as text."""
-        found = self.parameters.find(entry) if self.parameters else None
+        found = self.parameters.entries.get(entry) if self.parameters else None
         return otherwise if found is None else found.value
 
     def numbers(self, entry, count):

@@ -66,7 +66,7 @@ class Study(Table):
     def _split(self, names):
         """The columns of variables and those of outputs: the latter are as many
         as study.prm names, and empty in samples that failed."""
-        entry = self.parameters and self.parameters.find("Study/Outputs")
+        entry = self.parameters and self.parameters.entries.get("Study/Outputs")
         n_outputs = (len([item for item in entry.value.split(",") if item.strip()])
                      if entry else 0)
         at = max(len(names) - n_outputs, 0)

@@ -49,8 +49,7 @@ def report(study):
 def units_of_study(study):
     """The units of its base file."""
     path = study.directory / "base.prm"
-    entry = (read_parameters(path).find("Units") if path.exists()
-             else None)
+    entry = read_parameters(path).entries.get("Units") if path.exists() else None
     return Units(entry and entry.value)
 
 
