@@ -76,14 +76,6 @@ namespace Biface
       return model.cavity.get();
     }
 
-    /** The state of the last converged step, also while the observer is
-     * called. */
-    const State &
-    get_state() const
-    {
-      return state;
-    }
-
     const Progress &
     get_progress() const
     {

@@ -76,16 +76,6 @@ def read_text(path):
         raise BifaceError(f"{path} cannot be read ({error.strerror}).") from None
 
 
-def split_line(line, names):
-    """The fields of a line. Names of stages may contain commas."""
-    fields = line.split(",")
-    surplus = len(fields) - len(names)
-    if surplus > 0 and "stage" in names:
-        at = names.index("stage")
-        fields[at:at + surplus + 1] = [",".join(fields[at:at + surplus + 1])]
-    return fields
-
-
 def to_number(text, name, place):
     """A field as a number; an empty one is NaN."""
     try:
@@ -118,7 +108,7 @@ def read_csv(path, required, may_be_cut=False):
                               f"the column '{name}'.")
     rows = []
     for number, line in enumerate(lines[1:], start=2):
-        fields = split_line(line, names)
+        fields = line.split(",")
         place = f"{path}, line {number},"
         if len(fields) != len(names):
             raise BifaceError(f"{place} is damaged: it has {len(fields)} fields "
