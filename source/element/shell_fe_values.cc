@@ -88,9 +88,8 @@ namespace Biface
     set_stations(face_heights);
 
     center = surface.evaluate(surface.pull_back(at_center.quadrature_point(0)));
-    metric_at_center = ThicknessMetric(center.curvature, heights_at_center);
-    geometry.weight =
-      JxW() * metric_at_center.zeta_bar[0] * metric_at_center.zeta_bar[1];
+    const ThicknessMetric metric(center.curvature, heights_at_center);
+    geometry.weight = JxW() * metric.zeta_bar[0] * metric.zeta_bar[1];
 
     const double thickness = heights_at_center[1] - heights_at_center[0];
     for (unsigned int a = 0; a < 2; ++a)

@@ -50,9 +50,8 @@ namespace
                     "power",
                     "temperature",
                     "time",
-                    "minutes",
                     "radians"})(
-      {length, area, volume, 1, mass, pressure, pressure, length, 1, 1, 1, 1});
+      {length, area, volume, 1, mass, pressure, pressure, length, 1, 1, 1});
   }
 
 

@@ -91,15 +91,6 @@ namespace Biface
       return at_center.JxW(0);
     }
 
-    /** The area of the middle surface per unit of the coordinates at the
-     * center, @f$\bar\mu = A_1A_2\bar\zeta_1\bar\zeta_2@f$. */
-    double
-    mu_bar() const
-    {
-      return center.lame[0] * metric_at_center.zeta_bar[0] * center.lame[1] *
-             metric_at_center.zeta_bar[1];
-    }
-
     /** The geometry as MixedElement needs it. */
     const ElementGeometry &
     get_geometry() const
@@ -124,7 +115,6 @@ namespace Biface
 
     std::array<SurfacePoint, 4> points;
     SurfacePoint                center;
-    ThicknessMetric             metric_at_center;
     ElementGeometry             geometry;
   };
 } // namespace Biface

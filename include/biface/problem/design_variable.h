@@ -48,12 +48,6 @@ namespace Biface
     std::vector<std::string>
     get_entries() const;
 
-    bool
-    is_factor() const
-    {
-      return factor;
-    }
-
     /** Check that the numbers exist in a parameter file. Throws InputError. */
     void
     check(const DeclaredEntries &declared) const;
