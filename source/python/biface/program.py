@@ -14,7 +14,7 @@ import numpy as np
 
 from .errors import BifaceError
 
-# Exit codes of the program, see README.md
+# Exit codes of the program, see `biface --help`
 NOT_CONVERGED, STOPPED = 2, (128 + signal.SIGINT, 128 + signal.SIGTERM)
 
 
