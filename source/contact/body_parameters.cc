@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include <biface/base/errors.h>
 #include <biface/contact/body_parameters.h>

@@ -2,8 +2,6 @@
 
 #include <deal.II/physics/transformations.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include <biface/base/errors.h>
 #include <biface/input/named_files.h>

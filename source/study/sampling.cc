@@ -3,11 +3,9 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <filesystem>
 #include <numeric>
 #include <random>
-#include <sstream>
 
 #include <biface/base/errors.h>
 #include <biface/input/entry_declarations.h>

@@ -4,7 +4,6 @@
 // iterations, presses it by 20 mm in one step of at most 15, and converges
 // quadratically; the substituted iteration gives the same force.
 
-#include <sstream>
 
 #include "../tests.h"
 #include "bias_tire.h"

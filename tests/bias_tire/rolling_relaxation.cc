@@ -4,7 +4,6 @@
 // turned in time over the ground; in slow rolling it is elastic with the moduli
 // of long times; and ground and axle have the power that the plies lose.
 
-#include <cmath>
 
 #include <biface/input/parameter_tools.h>
 

@@ -5,7 +5,6 @@
 // Their derivatives are those of differences, on a plane and on a drum.
 
 #include <cmath>
-#include <functional>
 #include <iomanip>
 
 #include <biface/contact/bristles.h>

@@ -5,7 +5,6 @@
 // extrapolation to an infinite bulk modulus.
 
 #include <functional>
-#include <vector>
 
 #include <biface/laminate/material_parameters.h>
 #include <biface/laminate/ply_points.h>

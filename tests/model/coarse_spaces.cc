@@ -8,7 +8,6 @@
 #include <deal.II/lac/solver_cg.h>
 
 #include <cmath>
-#include <iostream>
 
 #include <biface/model/mesh/coarse_spaces.h>
 #include <biface/model/mesh/rigid_motions.h>

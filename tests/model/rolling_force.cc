@@ -5,7 +5,6 @@
 // and the angular velocity of a run in which the travel is prescribed: freely
 // on a plane, and braked on a drum.
 
-#include <cmath>
 
 #include <biface/input/parameter_tools.h>
 

@@ -8,7 +8,6 @@
 #include <deal.II/base/numbers.h>
 
 #include <fstream>
-#include <iostream>
 
 #include <biface/stepping/buckling.h>
 

@@ -7,7 +7,6 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <cmath>
 #include <iomanip>
 
 #include <biface/stepping/buckling.h>

@@ -4,7 +4,6 @@
 // that it stretches has the frequencies k/(2 L) sqrt(sigma/rho), which change
 // as the square root of the displacement of its end.
 
-#include <memory>
 #include <string>
 
 #include <biface/solver/modal_analysis.h>

@@ -5,8 +5,6 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <iostream>
-
 #include <biface/model/quantities/face_stretch.h>
 
 #include "../model/cord_shells.h"

@@ -7,7 +7,6 @@
 #include <deal.II/base/mpi.h>
 
 #include <fstream>
-#include <iostream>
 #include <sstream>
 
 #include <biface/solver/modal_analysis.h>

@@ -3,7 +3,6 @@
 // GMRES with multigrid gives the forces of the direct solver, with a symmetric
 // tangent and with an unsymmetric one.
 
-#include <cmath>
 
 #include "../bias_tire/bias_tire.h"
 #include <tests.h>

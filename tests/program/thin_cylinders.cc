@@ -5,7 +5,6 @@
 // shell bends, and with fixed ends, where it carries the load as a membrane.
 
 #include <cmath>
-#include <cstdio>
 
 #include "../run_analysis.h"
 #include <tests.h>

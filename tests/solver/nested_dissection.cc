@@ -4,7 +4,6 @@
 // the other, each once, and its factors have at most three quarters of the
 // entries of those in the order of the lines.
 
-#include <algorithm>
 #include <iostream>
 #include <numeric>
 #include <set>

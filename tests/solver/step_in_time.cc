@@ -6,7 +6,6 @@
 
 #include <deal.II/base/timer.h>
 
-#include <cmath>
 #include <fstream>
 #include <iostream>
 

@@ -3,7 +3,6 @@
 // Starting from a coarser mesh changes the number of iterations but not the
 // results.
 
-#include <cmath>
 
 #include "../bias_tire/bias_tire.h"
 #include <tests.h>

@@ -3,7 +3,6 @@
 // Under a given force, predicted steps start in contact: no iteration fails,
 // and there are no more of them than without predictor.
 
-#include <sstream>
 
 #include "../run_analysis.h"
 #include "../tests.h"

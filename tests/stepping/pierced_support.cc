@@ -3,7 +3,6 @@
 // The travel counts from the first node that can come into contact; held nodes
 // that the foundation passes through are named once.
 
-#include <sstream>
 
 #include "../run_analysis.h"
 #include "../tests.h"

@@ -5,7 +5,6 @@
 // with the pressure everywhere; position and derivatives agree; the limits are
 // those of radial cords; and the crown angle follows from the end, too.
 
-#include <vector>
 
 #include <biface/surface/cord_equilibrium.h>
 #include <biface/surface/surface_of_revolution.h>

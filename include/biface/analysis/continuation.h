@@ -5,7 +5,6 @@
 
 #include <mpi.h>
 
-#include <map>
 #include <string>
 
 #include <biface/input/entry_declarations.h>

@@ -7,7 +7,6 @@
 #include <deal.II/base/timer.h>
 
 #include <array>
-#include <map>
 #include <memory>
 #include <optional>
 #include <set>

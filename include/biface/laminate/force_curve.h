@@ -4,7 +4,6 @@
 #define biface_laminate_force_curve_h
 
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace Biface

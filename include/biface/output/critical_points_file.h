@@ -3,7 +3,6 @@
 #ifndef biface_output_critical_points_file_h
 #define biface_output_critical_points_file_h
 
-#include <string>
 #include <vector>
 
 #include <biface/output/result_file.h>

@@ -3,7 +3,6 @@
 #ifndef biface_output_modes_file_h
 #define biface_output_modes_file_h
 
-#include <string>
 #include <vector>
 
 #include <biface/output/result_file.h>

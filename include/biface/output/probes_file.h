@@ -5,7 +5,6 @@
 
 #include <deal.II/base/tensor.h>
 
-#include <array>
 #include <vector>
 
 #include <biface/model/mesh/named_points.h>

@@ -3,7 +3,6 @@
 #ifndef biface_output_sensitivities_file_h
 #define biface_output_sensitivities_file_h
 
-#include <string>
 
 #include <biface/output/result_file.h>
 

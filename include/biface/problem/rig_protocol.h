@@ -3,7 +3,6 @@
 #ifndef biface_problem_rig_protocol_h
 #define biface_problem_rig_protocol_h
 
-#include <string>
 #include <vector>
 
 #include <biface/output/rig_table.h>

@@ -7,7 +7,6 @@
 #include <deal.II/base/tensor.h>
 #include <deal.II/grid/manifold.h>
 
-#include <array>
 #include <optional>
 #include <utility>
 

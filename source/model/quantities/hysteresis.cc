@@ -4,7 +4,6 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <array>
-#include <cmath>
 #include <limits>
 
 #include <biface/laminate/layup.h>

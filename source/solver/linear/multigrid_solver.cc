@@ -5,7 +5,6 @@
 #include <deal.II/lac/solver_gmres.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 #include <sstream>
 #include <utility>

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include <biface/base/errors.h>
 #include <biface/input/entry_declarations.h>

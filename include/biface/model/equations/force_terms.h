@@ -3,8 +3,6 @@
 #ifndef biface_model_equations_force_terms_h
 #define biface_model_equations_force_terms_h
 
-#include <memory>
-#include <vector>
 
 #include <biface/model/forces/dead_loads.h>
 #include <biface/model/forces/force_term.h>

@@ -5,7 +5,6 @@
 
 #include <deal.II/lac/full_matrix.h>
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
