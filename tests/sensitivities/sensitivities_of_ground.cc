@@ -69,8 +69,8 @@ main(int argc, char **argv)
                             "Stage 4/Steps=2",
                             "Stage 4/Regularization=5",
                             "Stage 4/Tangential regularization=1"}),
-                      "Stage 4/Regularization, Stage 4/Tangential "
-                      "regularization, Contact/Tangential regularization",
+                      "Stage 4/Regularization; Stage 4/Tangential "
+                      "regularization; Contact/Tangential regularization",
                       "force, foundation F_y",
                       1e-3);
   check_sensitivities("center of moments",
