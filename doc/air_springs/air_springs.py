@@ -20,7 +20,7 @@ PAGE = """<!-- Written by doc/air_springs/air_springs.py: cmake --build build --
 # Air springs
 
 [air_spring.prm](../prm/air_spring.prm) is a rolling-lobe air spring: a sleeve with two plies of cord
-between a plate and a piston, a [body](theory.md#bodies-beside-the-foundation) along which the lobe
+between a plate and a piston, a [body](theory.md#bodies-beside-the-ground) along which the lobe
 rolls. [bellows.prm](../prm/bellows.prm) has two convolutions and a girdle hoop, and the convolutions roll
 onto the plates. Both are pushed and pulled with the gas sealed in, and each takes a second.
 

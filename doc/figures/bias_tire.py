@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Figures and tables of the bias tire pressed on a rigid foundation.
+"""Figures and tables of the bias tire pressed on a rigid ground.
 
 Reads the results of runs of prm/bias_tire.prm, as it is and with other
 readings of the paper, and the paper's Table 1, and writes
@@ -211,19 +211,19 @@ def draw_load_deflection(runs, output):
     paper = NodalAreas(runs.nonlinear, 20).integrate(read_table(runs.table))
     axes.plot(20, paper, "D", color="black", markersize=6,
               label="paper, Table 1 (pressures times areas)")
-    axes.set(xlabel="approach of the foundation Δ (mm)",
-             ylabel="force on the foundation P (N)",
+    axes.set(xlabel="approach of the ground Δ (mm)",
+             ylabel="force on the ground P (N)",
              xlim=(0, 22.5), ylim=(0, 4000), xticks=range(0, 21, 4))
     axes.legend(loc="upper left", fontsize=10)
     save(figure, output / "load_deflection.png")
 
 
-def draw_foundation(axes, height, width):
-    """The foundation: a line, hatched on its solid side."""
+def draw_ground(axes, height, width):
+    """The ground: a line, hatched on its solid side."""
     axes.plot([-width, width], [height, height], color="0.2", linewidth=1.2)
     axes.fill_between([-width, width], height, height + 4, facecolor="none",
                       edgecolor="0.6", hatch="////", linewidth=0)
-    axes.text(0, height + 5, "foundation at the first touch", ha="center",
+    axes.text(0, height + 5, "ground at the first touch", ha="center",
               va="top", fontsize=10, color="0.3")
 
 
@@ -239,7 +239,7 @@ def draw_wall(axes, profile, label):
 
 
 def draw_profile(runs, output):
-    """Fig. 4: the outer contour in the plane phi = 0, foundation below."""
+    """Fig. 4: the outer contour in the plane phi = 0, ground below."""
     figure, axes = plt.subplots(figsize=(7, 6))
     inflated = read_profile(runs.nonlinear, 0)
     ground = inflated["outer_x"].max()
@@ -256,7 +256,7 @@ def draw_profile(runs, output):
                   linewidth=0.7, zorder=1)
     draw_wall(axes, read_profile(runs.nonlinear, APPROACHES[-1]),
               f"wall at Δ = {APPROACHES[-1]} mm")
-    draw_foundation(axes, ground, 78)
+    draw_ground(axes, ground, 78)
     axes.set(xlabel="distance from the wheel's middle plane y (mm)",
              ylabel="distance from the axle x (mm)",
              xlim=(-80, 80), ylim=(167, 265))

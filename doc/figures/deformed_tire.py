@@ -219,8 +219,8 @@ def footprint_actor(data, inside):
     return actor
 
 
-def foundation_actors(path):
-    """The foundation: a transparent pane with an outline, slightly behind the
+def ground_actors(path):
+    """The ground: a transparent pane with an outline, slightly behind the
     footprint so that it does not change its colors."""
     outer = Face(path, 1)
     x = outer.positions(outer.psi, outer.phi)[..., 0].max() - 0.3
@@ -241,7 +241,7 @@ def main():
     parser.add_argument("shell", type=Path, help="shell-NNNN.vtu")
     parser.add_argument("picture", type=Path, help="the PNG to write")
     arguments = parser.parse_args()
-    actors = wall_actors(arguments.shell) + foundation_actors(arguments.shell)
+    actors = wall_actors(arguments.shell) + ground_actors(arguments.shell)
     camera = fixed_camera((1000, 460, 330), (0, 52, 4), 27.5)
     figure = figure_of(render(actors, (WIDTH, HEIGHT), camera))
     add_color_bar(figure, [0.79, 0.25, 0.024, 0.5], COLORS, PRESSURE_RANGE,

@@ -36,7 +36,7 @@ PAGE = """<!-- Written by doc/mounted_tire/mounted_tire.py: cmake --build build 
 # A tire on its rim
 
 In [mounted_tire.prm](../prm/mounted_tire.prm) nothing is clamped: the beads of a bias tire
-sit on a rim, a [body](theory.md#bodies-beside-the-foundation) with the profile of
+sit on a rim, a [body](theory.md#bodies-beside-the-ground) with the profile of
 [mounted_tire_rim.csv](../prm/mounted_tire_rim.csv), by interference, pressure and friction. The
 wires of each bead are a ply of 3 mm with a modulus of 60 000 MPa along the hoop. The tire
 is a shell described by its outer face in the mold, whose heel has a radius of 12 mm.

@@ -20,8 +20,8 @@ PAGE = """<!-- Written by doc/obstacles/obstacles.py: cmake --build build --targ
 
 [cleat.prm](../prm/cleat.prm) lets the bias tire, pressed on a plane by 20 mm, pass a bar of
 10 mm with a half-round top, slowly and without friction. [curb_step.prm](../prm/curb_step.prm) is a
-step of 15 mm. Both obstacles are [bodies](theory.md#bodies-beside-the-foundation) on the
-foundation, and a tread of 8 mm of rubber, springs of 0.3 MPa/mm, lies between them and
+step of 15 mm. Both obstacles are [bodies](theory.md#bodies-beside-the-ground) on the
+ground, and a tread of 8 mm of rubber, springs of 0.3 MPa/mm, lies between them and
 the carcass.
 
     build/biface prm/cleat.prm
@@ -38,7 +38,7 @@ footprint off the road. The longitudinal force pushes the wheel back from an
 obstacle ahead, by up to {back:.0f} N.
 
 Under a constant vertical force of {load:.0f} N, that without a bar, the cleat lifts the axle by its effective
-height and pushes the wheel back with its effective slope, the longitudinal over the vertical force. `Control = foundation force` prescribes the force on the foundation and the bodies on it.
+height and pushes the wheel back with its effective slope, the longitudinal over the vertical force. `Control = foundation force` prescribes the force on the ground and the bodies on it.
 
 ![The effective height has two maxima before and behind the axle; the effective slope is positive before and negative behind](figures/cleat_at_load.png)
 
@@ -65,7 +65,7 @@ Ground that has been measured is a height field: `Shape = height field` and, in 
     5, 5, 1.5
 
 With the `Direction` 1, 0, 0 from the axle into the road and the `Axis` 0, 1, 0, u is measured from `Point` along z, v along y,
-and the height toward the axle. The tire also touches the plane of the foundation, at the height 0, so that
+and the height toward the axle. The tire also touches the plane of the ground, at the height 0, so that
 heights are best counted from their lowest point.
 
 ## Beside an independent program

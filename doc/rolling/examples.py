@@ -28,7 +28,7 @@ def row(results, stage, angle=None):
 
 
 def travel(results, line):
-    """The approach of the foundation in the step of a line, in mm."""
+    """The approach of the ground in the step of a line, in mm."""
     return results.history.where(step=line["step"])["approach"][0]
 
 

@@ -20,7 +20,7 @@ PAGE = """<!-- Written by doc/seals_and_saddles/seals_and_saddles.py: cmake --bu
 
 # Seals, saddles and straps
 
-Three shells between or on rigid [bodies](theory.md#bodies-beside-the-foundation), beside formulas:
+Three shells between or on rigid [bodies](theory.md#bodies-beside-the-ground), beside formulas:
 [inflatable_seal.prm](../prm/inflatable_seal.prm), a hose that closes the gap of a door,
 [saddle_tank.prm](../prm/saddle_tank.prm), a tank full of water on saddles, and
 [band_brake.prm](../prm/band_brake.prm), a strap around a drum. Each takes a few seconds.

@@ -109,7 +109,7 @@ namespace Biface
     }
 
 
-    /** The forces on the nodes, with those of the foundation, or of another
+    /** The forces on the nodes, with those of the ground, or of another
      * body where it is not in contact, that balance the others: stiff contact
      * makes the round-off of positions large, but equilibrium is known. */
     NodalForces
@@ -119,7 +119,7 @@ namespace Biface
     {
       const ShellMesh &mesh   = *model.mesh;
       NodalForces      forces = model.equations.nodal_forces(state, loads);
-      LA::Vector       sum    = forces[ForceTerm::Source::foundation];
+      LA::Vector       sum    = forces[ForceTerm::Source::ground];
       sum += forces[ForceTerm::Source::shell];
       sum += forces[ForceTerm::Source::loads];
       for (const auto &[name, of_body] : forces.of_bodies)
@@ -129,7 +129,7 @@ namespace Biface
       for (const auto &pair : model.contact.pairs)
         {
           LA::Vector     &of_pair = (pair.get() == &model.contact.ground()
-                                       ? forces[ForceTerm::Source::foundation]
+                                       ? forces[ForceTerm::Source::ground]
                                        : forces.of_bodies.at(pair->name));
           const ActiveSet in_contact =
             pair->points.nodes_around(pair->state_of(state).active);
@@ -571,10 +571,10 @@ namespace Biface
                                  PerturbedRun     &perturbed) const
   {
     // Friction is linearized at these pressures. A small motion of the
-    // foundation at fixed displacements changes the pressure, which limits it,
+    // ground at fixed displacements changes the pressure, which limits it,
     // by a multiple of itself.
     take_multipliers(step.state, perturbed.state);
-    LA::Vector forces = perturbed.model.equations.out_of_balance(
+    LA::Vector forces = perturbed.model.equations.out_of_balance_forces(
       perturbed.state, perturbed.loads);
     forces -= here;
     return forces;
@@ -634,7 +634,8 @@ namespace Biface
     if (relative > 0)
       balance.roundoff = 10 * model.equations.residual().l2_norm() / relative *
                          model.equations.relative_roundoff(step.state);
-    balance.forces = model.equations.out_of_balance(step.state, step.loads);
+    balance.forces =
+      model.equations.out_of_balance_forces(step.state, step.loads);
     if (step.trial.equations)
       {
         const LA::Vector total = change(step.run.state, step.state);
@@ -767,7 +768,7 @@ namespace Biface
         }
 
     // The forces are only linear where the perturbed runs have followed: a
-    // motion of the foundation at fixed displacements changes the pressures by
+    // motion of the ground at fixed displacements changes the pressures by
     // many times themselves, and a small slip changes its direction.
     constexpr unsigned int    max_passes = 15;
     std::vector<unsigned int> unsettled  = followed, lost;

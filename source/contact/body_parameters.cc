@@ -250,12 +250,12 @@ namespace Biface
       "Moves with",
       "nothing",
       Patterns::Selection("nothing|foundation"),
-      "'foundation': the body is an obstacle on the foundation of the section "
-      "'Contact'. Its place is that while the foundation, which moves with it, "
+      "'foundation': the body is an obstacle on the ground of the section "
+      "'Contact'. Its place is that while the ground, which moves with it, "
       "is at 'Point on path'; a 'Contact/Tread' lies between both and the "
       "shell. Other bodies touch the shell itself.");
     prm.add_action("Moves with", [this](const std::string &text) {
-      on_foundation = (text == "foundation");
+      on_ground = (text == "foundation");
     });
     add_parsed(prm,
                "Friction",
@@ -360,7 +360,7 @@ namespace Biface
         return is_along_y(motion.translation) &&
                (motion.turn == 0 || is_along_y(motion.axis.value_or(axis)));
       });
-    if (on_foundation || !moves_along || !friction.is_zero())
+    if (on_ground || !moves_along || !friction.is_zero())
       return false;
     switch (shape)
       {

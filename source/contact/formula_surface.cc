@@ -203,7 +203,7 @@ namespace Biface
 
 
   std::optional<Point<3>>
-  FormulaSurface::surface_downhill(Point<3> x) const
+  FormulaSurface::surface_along_gradient(Point<3> x) const
   {
     double at_x = value(x);
     for (unsigned int iteration = 0; iteration < 50; ++iteration)
@@ -246,9 +246,9 @@ namespace Biface
   void
   FormulaSurface::search_closest(const Point<3> &x, const Search &search) const
   {
-    Point<3>         closest   = search(surface_downhill(x).value_or(known));
-    const bool       is_inside = (value(x) < 0);
-    constexpr double inner     = 0.999;
+    Point<3>   closest     = search(surface_along_gradient(x).value_or(known));
+    const bool is_inside   = (value(x) < 0);
+    constexpr double inner = 0.999;
     // in the ball up to the closest point, all is on the side of its center;
     // false if a closer point has been found
     const auto is_on_this_side = [&](const Point<3> &y) {

@@ -21,7 +21,7 @@ namespace Biface
                coefficient,
                parse_friction,
                "Coefficient of Coulomb friction between the shell and "
-               "the foundation: a number, or a formula of the contact "
+               "the ground: a number, or a formula of the contact "
                "pressure p and of the slip velocity s, such as "
                "(0.8 - 0.5*p)*exp(-s/2000); below 0 it counts as 0. s "
                "is 0 unless the wheel rolls. Stages may have their own.",

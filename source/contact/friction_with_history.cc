@@ -11,12 +11,12 @@ namespace Biface
   {
     TangentialLaw::start_stage(state);
     if (glued)
-      hold(state);
+      stick_all(state);
   }
 
 
   void
-  FrictionWithHistory::hold(ContactState &state) const
+  FrictionWithHistory::stick_all(ContactState &state) const
   {
     for (ContactStatus &status : state.statuses)
       if (status != ContactStatus::none)

@@ -19,15 +19,15 @@ namespace Biface
                "Foundation",
                shape,
                {"plane", "drum", "sphere"},
-               "The shape of the rigid foundation: a plane, a drum (an "
+               "The shape of the rigid ground: a plane, a drum (an "
                "infinitely long circular cylinder), or a sphere. By "
                "default only nodes make contact, so the radius must be several "
                "times the cell size.");
     prm.add_parameter("Direction",
                       line.direction,
-                      "Direction from the shell toward the foundation, for a "
+                      "Direction from the shell toward the ground, for a "
                       "plane its normal: components x, y, z of any nonzero "
-                      "vector. The foundation travels against it, and the "
+                      "vector. The ground travels against it, and the "
                       "reported force is the component along it.",
                       Unit::none());
     prm.add_parameter("Point on path",
@@ -49,7 +49,7 @@ namespace Biface
   RigidBody::Parameters::check() const
   {
     // the constructor checks its parameters
-    RigidBody foundation(*this);
+    RigidBody ground(*this);
   }
 
 
@@ -99,7 +99,7 @@ namespace Biface
 
 
   RigidBody
-  RigidBody::around(const Tensor<1, 3> &axis, const double angle) const
+  RigidBody::rotated(const Tensor<1, 3> &axis, const double angle) const
   {
     if (angle == 0)
       return *this;

@@ -52,7 +52,7 @@ namespace Biface
 
 
   RigidBody
-  on_steered(const RigidBody &ground, const double slip_angle)
+  ground_at_slip_angle(const RigidBody &ground, const double slip_angle)
   {
     // right-handed about the direction, that is downward
     return ground.cylinder() ? ground.displaced({}, -slip_angle, ground.apex())

@@ -32,7 +32,7 @@ namespace Biface
       height,
       "none",
       "Height of a tread of rubber that is no ply of the shell: a brush of "
-      "bristles between its face and the foundation. It replaces 'automatic' of "
+      "bristles between its face and the ground. It replaces 'automatic' of "
       "'Regularization' and 'Tangential regularization' by 4/3 E (1 - v)/h and "
       "1/3 E (1 - v)/h, with the modulus E and the void ratio v; with given "
       "ones it is in series. The face of the shell touches where the tread "

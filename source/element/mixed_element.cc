@@ -950,9 +950,9 @@ namespace Biface
 
 
   void
-  MixedElement::subtract_leaning(const ShearMatrix   &G,
-                                 const Modes::Vector &H,
-                                 StrainMatrix        &DB) const
+  MixedElement::subtract_second_variation(const ShearMatrix   &G,
+                                          const Modes::Vector &H,
+                                          StrainMatrix        &DB) const
   {
     NormalThickness::for_shear_modes([&](const unsigned int  a,
                                          const unsigned int  i,
@@ -1032,7 +1032,7 @@ namespace Biface
               DB[m][k] += c * B[n][k];
           }
     if (with_normal_thickness())
-      subtract_leaning(G, H, DB);
+      subtract_second_variation(G, H, DB);
 
     std::array<unsigned int, Modes::n> modes;
     unsigned int                       n_modes = 0;

@@ -7,7 +7,7 @@
 
 #include <biface/laminate/layup.h>
 #include <biface/laminate/material.h>
-#include <biface/model/mesh/largest_cell.h>
+#include <biface/model/mesh/cell_maximum.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/output/failure_maxima.h>
 #include <biface/output/result_file.h>
@@ -67,7 +67,7 @@ namespace Biface
 
     std::vector<std::vector<double>> of_cells(
       criteria.size(),
-      std::vector<double>(mesh.cells.size(), LargestCell::none));
+      std::vector<double>(mesh.cells.size(), CellMaximum::none));
     for (const unsigned int c : mesh.layers)
       for_stresses_of_cell(
         equations,
@@ -88,7 +88,7 @@ namespace Biface
       {
         FailureMaximum &maximum = maxima[i];
         maximum.name            = criteria[i].name;
-        const auto largest      = find_largest_cell(mesh, of_cells[i]);
+        const auto largest      = find_cell_maximum(mesh, of_cells[i]);
         if (!largest)
           continue;
         maximum.index = largest->value;

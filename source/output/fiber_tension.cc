@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <biface/laminate/material.h>
-#include <biface/model/mesh/largest_cell.h>
+#include <biface/model/mesh/cell_maximum.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/output/fiber_tension.h>
 #include <biface/surface/reference_surface.h>
@@ -70,7 +70,7 @@ namespace Biface
   MaximumTension
   find_maximum_tension(const ShellEquations &equations, const State &state)
   {
-    constexpr double none = LargestCell::none;
+    constexpr double none = CellMaximum::none;
 
     const ShellMesh     &mesh = equations.mesh;
     const TensionMembers members(mesh.get_layup());
@@ -98,14 +98,14 @@ namespace Biface
         for (const auto &[ply, tension] : of_plies)
           // the first of plies that differ by round-off
           if (tension > of_cells[wall] +
-                          LargestCell::tolerance * std::abs(of_cells[wall]) ||
+                          CellMaximum::tolerance * std::abs(of_cells[wall]) ||
               (of_cells[wall] == none && !std::isnan(tension)))
             {
               of_cells[wall] = tension;
               plies[wall]    = ply;
             }
       }
-    const auto largest = find_largest_cell(mesh, of_cells);
+    const auto largest = find_cell_maximum(mesh, of_cells);
     if (!largest)
       return maximum;
     maximum.value = largest->value;

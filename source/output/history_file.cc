@@ -123,7 +123,7 @@ namespace Biface
        [](const Step &step) -> Values {
          const StepReport &report = step.report;
          return {report.work.loads,
-                 report.work.foundation,
+                 report.work.ground,
                  report.work.friction,
                  report.work.damping,
                  report.level.slide[0],
@@ -196,9 +196,8 @@ namespace Biface
     if (is_wheel(mesh))
       groups.push_back({{"loaded_radius", "wheel_turn", "inclination_angle"},
                         [](const Step &step) -> Values {
-                          const auto &foundation = step.report.loads->ground();
-                          return {foundation ? foundation->clearance(Point<3>())
-                                             : 0.,
+                          const auto &ground = step.report.loads->ground();
+                          return {ground ? ground->clearance(Point<3>()) : 0.,
                                   step.report.level.wheel_turn,
                                   step.report.level.inclination_angle};
                         }});

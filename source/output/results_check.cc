@@ -198,7 +198,7 @@ namespace Biface
               ", " + as_percent(deep.relative()) + " of its height of " +
               in_digits(deep.thickness) +
               ", but its stiffness is that of small compressions."
-          : "Warning: the shell penetrates the foundation by " +
+          : "Warning: the shell penetrates the ground by " +
               in_digits(deep.depth) + ", " + as_percent(deep.relative()) +
               " of its thickness of " + in_digits(deep.thickness) +
               "; raise 'Contact/Regularization', which is " +

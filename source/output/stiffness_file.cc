@@ -26,15 +26,15 @@ namespace Biface
 
 
     std::string
-    name_of(const FoundationStiffness::Motion motion)
+    name_of(const StiffnessAgainstGround::Motion motion)
     {
       switch (motion)
         {
-          case FoundationStiffness::Motion::approach:
+          case StiffnessAgainstGround::Motion::approach:
             return "approach";
-          case FoundationStiffness::Motion::slide:
+          case StiffnessAgainstGround::Motion::slide:
             return "slide";
-          case FoundationStiffness::Motion::turn:
+          case StiffnessAgainstGround::Motion::turn:
             return "turn";
         }
       Assert(false, ExcInternalError());
@@ -64,7 +64,7 @@ namespace Biface
         directory,
         equations,
         std::any_of(stages.begin(), stages.end(), [](const Stage &stage) {
-          return stage.moves_foundation();
+          return stage.moves_ground();
         }))
   {}
 
@@ -72,11 +72,11 @@ namespace Biface
   void
   StiffnessFile::write(const StepReport &report, const State & /*state*/)
   {
-    const StepStiffness       &stiffness = *report.stiffness;
-    const FoundationReaction  &loaded    = stiffness.loaded;
-    const FoundationStiffness &secant    = stiffness.secant;
-    const FoundationStiffness &tangent   = stiffness.tangent;
-    const Tensor<1, 3>        &outward   = report.loads->ground()->direction();
+    const StepStiffness          &stiffness = *report.stiffness;
+    const GroundReaction         &loaded    = stiffness.loaded;
+    const StiffnessAgainstGround &secant    = stiffness.secant;
+    const StiffnessAgainstGround &tangent   = stiffness.tangent;
+    const Tensor<1, 3>           &outward = report.loads->ground()->direction();
 
     append(std::to_string(report.step) + ',' + report.stage + ',' +
            csv_number(loaded.level.pressure) + ',' +

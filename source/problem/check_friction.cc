@@ -15,7 +15,7 @@ namespace Biface
 
   namespace
   {
-    /** The coefficient of friction of the foundation in a stage. */
+    /** The coefficient of friction of the ground in a stage. */
     FrictionCoefficient
     coefficient_in(const Parameters &parameters, const Stage &stage)
     {

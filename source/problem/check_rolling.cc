@@ -76,7 +76,7 @@ namespace Biface
         refuse("it must be 'none' with 'Control = " + stage.control_name() +
                "'");
       auto free = stage_before(stages, i);
-      while (free && !stages[*free].ends_rolling_freely())
+      while (free && !stages[*free].ends_free_rolling())
         free = stage_before(stages, *free);
       if (!free)
         refuse("an earlier stage must end in free rolling, with 'Control = "

@@ -49,7 +49,7 @@ namespace Biface
 
     const std::unique_ptr<const ReferenceSurface> made = make_surface(surface);
     const ChartGrid                               grid(mesh, *made);
-    const RigidBody                               foundation(contact.body);
+    const RigidBody                               ground(contact.body);
     constexpr double      infinity = std::numeric_limits<double>::infinity();
     double                first    = infinity;
     std::array<double, 4> to_edge;
@@ -58,7 +58,7 @@ namespace Biface
       for (unsigned int i = 0; i < grid.n_nodes(0); ++i)
         {
           const double travel =
-            foundation.travel_to(made->push_forward(grid.alpha({{i, j}})));
+            ground.travel_to(made->push_forward(grid.alpha({{i, j}})));
           first = std::min(first, travel);
           const std::array<bool, 4> on_edge{{i == 0,
                                              i + 1 == grid.n_nodes(0),
@@ -75,7 +75,7 @@ namespace Biface
     if (!(height > 1e-6 * std::abs(*nearest)) || stage == stages.end())
       return {};
     return "Warning: in stage " + std::to_string(stage - stages.begin() + 1) +
-           " the foundation travels by " + number_to_string(*stage->travel) +
+           " the ground travels by " + number_to_string(*stage->travel) +
            ", but the supported edge of " +
            edge_names[nearest - to_edge.begin()] + " is only " +
            number_to_string(height) +

@@ -79,7 +79,7 @@ namespace Biface
     prm.declare_entry("Bodies",
                       listed(body_names),
                       Patterns::Anything(),
-                      "Names of rigid bodies beside the foundation of the "
+                      "Names of rigid bodies beside the ground of the "
                       "section 'Contact', separated by commas. Each has a "
                       "section 'Body NAME', and is there in stages that name "
                       "it.");
@@ -265,10 +265,10 @@ namespace Biface
           if (std::count(
                 stages[i].bodies.begin(), stages[i].bodies.end(), name) > 1)
             throw InputError(entry, name, "it is named twice");
-          if (body->on_foundation && !stages[i].contact)
+          if (body->on_ground && !stages[i].contact)
             throw InputError(entry,
                              name,
-                             "it moves with the foundation, which needs "
+                             "it moves with the ground, which needs "
                              "'Contact = true'");
         }
   }

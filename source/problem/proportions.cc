@@ -66,19 +66,18 @@ namespace Biface
 
 
     void
-    check_foundation(const ContactParameters &contact, const ShellMesh &mesh)
+    check_ground(const ContactParameters &contact, const ShellMesh &mesh)
     {
-      using Shape                             = RigidBody::Parameters::Shape;
-      const RigidBody::Parameters &foundation = contact.body;
-      if (foundation.shape == Shape::plane)
+      using Shape                         = RigidBody::Parameters::Shape;
+      const RigidBody::Parameters &ground = contact.body;
+      if (ground.shape == Shape::plane)
         return;
-      const bool is_drum = (foundation.shape == Shape::drum);
-      check_radius(
-        is_drum ? "Contact/Drum/Radius" : "Contact/Sphere/Radius",
-        *(is_drum ? foundation.drum.radius : foundation.sphere.radius),
-        0,
-        contact,
-        mesh);
+      const bool is_drum = (ground.shape == Shape::drum);
+      check_radius(is_drum ? "Contact/Drum/Radius" : "Contact/Sphere/Radius",
+                   *(is_drum ? ground.drum.radius : ground.sphere.radius),
+                   0,
+                   contact,
+                   mesh);
     }
 
 
@@ -124,7 +123,7 @@ namespace Biface
           throw InputError("Stage " + std::to_string(i + 1) + "/Travel",
                            number_to_string(*stages[i].travel),
                            "it must be at most " + number_to_string(longest) +
-                             ": farther on, the foundation has passed through "
+                             ": farther on, the ground has passed through "
                              "the shell");
     }
 
@@ -160,7 +159,7 @@ namespace Biface
           return stage.contact;
         }))
       return;
-    check_foundation(parameters.contact, mesh);
+    check_ground(parameters.contact, mesh);
     check_travel(stages, mesh);
     check_critical_velocity(parameters, mesh);
   }

@@ -507,7 +507,7 @@ namespace Biface
               throw InputError(entry,
                                change.name,
                                "it must be a number that describes the shell, "
-                               "its loads or the foundation, not the solution "
+                               "its loads or the ground, not the solution "
                                "or the output");
           change.mesh_change = mesh_change(changed_entries);
           const bool of_shape =

@@ -281,7 +281,7 @@ namespace Biface
         now.name              = "tire test: load";
         now.sealed            = stages[base - 1].sealed;
         now.contact           = true;
-        now.control           = ControlKind::foundation_force;
+        now.control           = ControlKind::ground_force;
         now.force             = loads.front();
         now.inclination_angle = inclinations.front();
         if (!test.pressures.empty())
@@ -319,7 +319,7 @@ namespace Biface
       {
         Stage point             = now;
         point.slip_angle        = 0;
-        point.control           = ControlKind::foundation_force_and_axle_moment;
+        point.control           = ControlKind::ground_force_and_axle_moment;
         const unsigned int free = add(from, point);
         add_slip_ratios(free, 0);
         for (const double side : {1., -1.})

@@ -93,7 +93,7 @@ namespace Biface
                                   parameters.element.interpolation,
                                   parameters.element.thickness_strain);
     if (!parameters.surface.imperfection.is_zero())
-      mesh->deviate_by(
+      mesh->add_imperfection(
         Imperfection(parameters.surface.imperfection, mesh->get_surface()));
     return mesh;
   }

@@ -34,7 +34,7 @@ namespace Biface
 
     /** The tangential states of nodes as numbers, and back. */
     ActiveSet
-    numbers_of(const std::vector<ContactStatus> &statuses)
+    status_codes(const std::vector<ContactStatus> &statuses)
     {
       ActiveSet numbers;
       for (const ContactStatus status : statuses)
@@ -120,7 +120,7 @@ namespace Biface
           };
           add_points(name[0], contact.active);
           add_points(name[1], contact.multipliers);
-          add_points(name[2], numbers_of(contact.statuses));
+          add_points(name[2], status_codes(contact.statuses));
           add_points(name[3],
                      std::vector<Tensor<1, 3>>(contact.stick_points.begin(),
                                                contact.stick_points.end()));
@@ -265,9 +265,9 @@ namespace Biface
                          const RunRecord::Point &numbers,
                          const ShellMesh        &mesh) const
   {
-    const auto nodes     = numbers_of_owned_nodes(mesh);
-    const auto all_nodes = numbers_of_nodes(mesh);
-    const auto cells     = numbers_of_cells(mesh);
+    const auto nodes     = owned_node_numbers(mesh);
+    const auto all_nodes = node_numbers(mesh);
+    const auto cells     = cell_numbers(mesh);
     const auto has       = [&](const std::string &name) {
       return reader->has(prefix + name);
     };

@@ -14,7 +14,7 @@ namespace Biface
     NumberedRows rows;
     rows.width   = mesh.n_dofs_per_node();
     rows.n_rows  = mesh.n_nodes();
-    rows.numbers = numbers_of_owned_nodes(mesh);
+    rows.numbers = owned_node_numbers(mesh);
     for (const Node &node : mesh.nodes)
       if (node.locally_owned)
         for (const types::global_dof_index dof : node.dofs)
@@ -30,7 +30,7 @@ namespace Biface
     NumberedRows rows;
     rows.width   = Modes::n;
     rows.n_rows  = mesh.n_elements();
-    rows.numbers = numbers_of_cells(mesh);
+    rows.numbers = cell_numbers(mesh);
     for (const Modes::Vector &mode : modes)
       for (unsigned int i = 0; i < Modes::n; ++i)
         rows.values.push_back(mode[i]);
@@ -54,7 +54,7 @@ namespace Biface
         {
           rows.width   = width * per_cell;
           rows.n_rows  = mesh.n_elements();
-          rows.numbers = numbers_of_cells(mesh);
+          rows.numbers = cell_numbers(mesh);
           for (unsigned int point = 0; point < per_cell * mesh.cells.size();
                ++point)
             add(point, rows.values);
@@ -62,7 +62,7 @@ namespace Biface
         }
       rows.width   = width;
       rows.n_rows  = mesh.n_nodes();
-      rows.numbers = numbers_of_owned_nodes(mesh);
+      rows.numbers = owned_node_numbers(mesh);
       for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
         if (mesh.nodes[n].locally_owned)
           add(n, rows.values);
@@ -120,7 +120,7 @@ namespace Biface
     NumberedRows rows;
     rows.width   = width_on_all_ranks(table, mesh);
     rows.n_rows  = mesh.n_nodes();
-    rows.numbers = numbers_of_owned_nodes(mesh);
+    rows.numbers = owned_node_numbers(mesh);
     for (unsigned int n = 0; n < table.size(0); ++n)
       if (mesh.nodes[n].locally_owned)
         for (unsigned int i = 0; i < rows.width; ++i)
@@ -135,7 +135,7 @@ namespace Biface
     NumberedRows rows;
     rows.width   = width_on_all_ranks(table, mesh);
     rows.n_rows  = mesh.n_elements();
-    rows.numbers = numbers_of_cells(mesh);
+    rows.numbers = cell_numbers(mesh);
     for (unsigned int c = 0; c < table.size(0); ++c)
       for (unsigned int i = 0; i < rows.width; ++i)
         rows.values.push_back(table[c][i]);
@@ -144,7 +144,7 @@ namespace Biface
 
 
   std::vector<std::uint64_t>
-  numbers_of_owned_nodes(const ShellMesh &mesh)
+  owned_node_numbers(const ShellMesh &mesh)
   {
     std::vector<std::uint64_t> numbers;
     for (const Node &node : mesh.nodes)
@@ -155,7 +155,7 @@ namespace Biface
 
 
   std::vector<std::uint64_t>
-  numbers_of_nodes(const ShellMesh &mesh)
+  node_numbers(const ShellMesh &mesh)
   {
     std::vector<std::uint64_t> numbers;
     for (const Node &node : mesh.nodes)
@@ -165,7 +165,7 @@ namespace Biface
 
 
   std::vector<std::uint64_t>
-  numbers_of_cells(const ShellMesh &mesh)
+  cell_numbers(const ShellMesh &mesh)
   {
     std::vector<std::uint64_t> numbers;
     for (const Cell &cell : mesh.cells)

@@ -119,7 +119,7 @@ namespace Biface
     tangent.assemble(earlier, before.loads, pencil.K_0);
     tangent.assemble(later, now.loads, pencil.K_1);
     for (LA::SparseMatrix *K : {&pencil.K_0, &pencil.K_1})
-      tangent.hold(now.state, now.loads, *K);
+      tangent.add_contact_stiffness(now.state, now.loads, *K);
     pencil.G.copy_from(pencil.K_0);
     pencil.G.add(-1., pencil.K_1);
     // a shift must not change the sign of arbitrary entries of the diagonal
@@ -134,7 +134,7 @@ namespace Biface
     // in the same shape, the pressure before belongs to another amount of gas
     const auto low_rank = [&](const Loads &loads) {
       return LowRankStiffness(
-        equations, later, HeldTangent::without_bodies(loads));
+        equations, later, FixedContactTangent::without_bodies(loads));
     };
     pencil.low_rank_0 = low_rank(before.loads);
     pencil.low_rank_1 = low_rank(now.loads);
@@ -521,7 +521,7 @@ namespace Biface
                            const LA::Vector &loads) const
   {
     BucklingMode mode;
-    mode.shape             = unit_shapes(equations.mesh, {vector})[0];
+    mode.shape             = normalized_shapes(equations.mesh, {vector})[0];
     const double all_loads = loads.l1_norm();
     if (all_loads > 0)
       mode.load_work = std::abs(loads * owned_part(mode.shape)) / all_loads;
@@ -534,7 +534,7 @@ namespace Biface
   BucklingAnalysis::assemble(const Equilibrium &now, LA::SparseMatrix &K)
   {
     tangent.assemble(now.state, now.loads, K);
-    tangent.hold(now.state, now.loads, K);
+    tangent.add_contact_stiffness(now.state, now.loads, K);
     return tangent.is_symmetric(now.loads, K);
   }
 
@@ -561,7 +561,7 @@ namespace Biface
     none.factors.assign(none.factors.size(), 0);
     LA::SparseMatrix K;
     tangent.assemble(unloaded, none, K);
-    tangent.hold(now.state, now.loads, K);
+    tangent.add_contact_stiffness(now.state, now.loads, K);
     LA::Vector product(shape);
     K.vmult(product, shape);
     return product * shape / shape.norm_sqr();

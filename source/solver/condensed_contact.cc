@@ -74,11 +74,11 @@ namespace Biface
   {
     if (!has_room_for(added))
       return false;
-    std::vector<UnitMultiplier> units =
-      unit_multipliers(contact, state, loads, added);
+    std::vector<ContactConstraint> units =
+      contact_constraints(contact, state, loads, added);
     // all right hand sides at once: a direct solver reads its factors once
     std::vector<LA::Vector> answers, forces;
-    for (UnitMultiplier &unit : units)
+    for (ContactConstraint &unit : units)
       {
         answers.push_back(equations.mesh.owned_vector());
         forces.push_back(std::move(unit.forces));

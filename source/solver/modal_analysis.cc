@@ -118,7 +118,7 @@ namespace Biface
     const bool       is_complex = pair.imaginary.size() > 0;
     VibrationMode    mode;
     mode.omega                     = pair.value;
-    std::vector<LA::Vector> shapes = unit_shapes(
+    std::vector<LA::Vector> shapes = normalized_shapes(
       mesh,
       is_complex ? std::vector<LA::Vector>{pair.vector, pair.imaginary}
                  : std::vector<LA::Vector>{pair.vector});
@@ -212,10 +212,10 @@ namespace Biface
   {
     Problem problem;
     tangent.assemble(state, loads, problem.K);
-    tangent.hold(state, loads, problem.K);
+    tangent.add_contact_stiffness(state, loads, problem.K);
     problem.symmetric_matrix = tangent.is_symmetric(loads, problem.K);
-    problem.low_rank =
-      LowRankStiffness(equations, state, HeldTangent::without_bodies(loads));
+    problem.low_rank         = LowRankStiffness(
+      equations, state, FixedContactTangent::without_bodies(loads));
     problem.symmetric =
       problem.symmetric_matrix && problem.low_rank.is_symmetric();
     problem.velocity     = make_velocity_matrix(contact, state, loads);
@@ -421,7 +421,7 @@ namespace Biface
           pair.value = 0;
       }
     if (problem.velocity)
-      settle_phases(pairs, multiply_by(mass), fields);
+      normalize_phases(pairs, multiply_by(mass), fields);
     else
       settle(pairs, multiply_by(mass), fields);
     std::vector<Eigenpair> left(pairs.size());
@@ -449,13 +449,13 @@ namespace Biface
                     const Loads              &loads,
                     const VibrationModes     &modes)
   {
-    const ShellMesh &mesh = equations.mesh;
-    HeldTangent      tangent(equations, contact, timer);
-    LA::SparseMatrix K;
+    const ShellMesh    &mesh = equations.mesh;
+    FixedContactTangent tangent(equations, contact, timer);
+    LA::SparseMatrix    K;
     tangent.assemble(state, loads, K);
-    tangent.hold(state, loads, K);
+    tangent.add_contact_stiffness(state, loads, K);
     const LowRankStiffness low_rank(
-      equations, state, HeldTangent::without_bodies(loads));
+      equations, state, FixedContactTangent::without_bodies(loads));
     const MassMatrix mass(mesh);
     const Multiply multiply_k = [&](LA::Vector &product, const LA::Vector &x) {
       K.vmult(product, x);

@@ -28,12 +28,13 @@ namespace Biface
     LoadLevel from = start, reached = first;
     if (sealed)
       from.pressure = reached.pressure = second.pressure;
-    const double begin = part_of_loads(from, reached, second);
+    const double begin = load_fraction(from, reached, second);
     Buckling     result;
     result.modes = found.modes;
     for (const BucklingMode &mode : found.modes)
-      result.loads.push_back({begin + mode.position * (1 - begin),
-                              loads_on_line(first, second, mode.position)});
+      result.loads.push_back(
+        {begin + mode.position * (1 - begin),
+         interpolated_loads(first, second, mode.position)});
     return result;
   }
 } // namespace Biface

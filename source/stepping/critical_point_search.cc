@@ -35,12 +35,12 @@ namespace Biface
         return n;
       }
     // dashpots of the stage before hold the state before
-    if (ViscousDamping::hold(run.state))
+    if (ViscousDamping::is_active(run.state))
       {
         n.before.reset();
         return n;
       }
-    // The stage before may not have counted them, or had another foundation;
+    // The stage before may not have counted them, or had another ground;
     // numbers that differ are counted in double precision.
     const bool same_without_contact = run.stage.contact &&
                                       run.contact.pairs.size() == 1 &&
@@ -213,7 +213,7 @@ namespace Biface
     point->located           = located;
     point->mode              = critical->mode;
     const LoadLevel &start   = run.progress.control.start;
-    point->loads = {part_of_loads(start, level, run.stage.end(start)), level};
+    point->loads = {load_fraction(start, level, run.stage.end(start)), level};
     out << ", " << (located ? "here is a " : "the step passed a ")
         << point->kind() << std::endl;
     if (run.stage.critical_points == CriticalPoints::switch_branch &&

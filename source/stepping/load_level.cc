@@ -29,7 +29,7 @@ namespace Biface
 
 
   std::vector<double>
-  numbers_of(const LoadLevel &level)
+  load_components(const LoadLevel &level)
   {
     std::vector<double> numbers;
     for_each_load([&](const auto &load) { append(numbers, load); }, level);
@@ -38,12 +38,13 @@ namespace Biface
 
 
   double
-  part_of_loads(const LoadLevel &start,
+  load_fraction(const LoadLevel &start,
                 const LoadLevel &reached,
                 const LoadLevel &end)
   {
-    const std::vector<double> from = numbers_of(start),
-                              now = numbers_of(reached), to = numbers_of(end);
+    const std::vector<double> from = load_components(start),
+                              now  = load_components(reached),
+                              to   = load_components(end);
     for (unsigned int i = 0; i < from.size(); ++i)
       if (to[i] != from[i])
         return (now[i] - from[i]) / (to[i] - from[i]);
@@ -52,9 +53,9 @@ namespace Biface
 
 
   LoadLevel
-  loads_on_line(const LoadLevel &first,
-                const LoadLevel &second,
-                const double     position)
+  interpolated_loads(const LoadLevel &first,
+                     const LoadLevel &second,
+                     const double     position)
   {
     LoadLevel level = first;
     for_each_load(
@@ -81,8 +82,9 @@ namespace Biface
   double
   relative_change(const LoadLevel &a, const LoadLevel &b)
   {
-    const std::vector<double> before = numbers_of(a), after = numbers_of(b);
-    double                    largest = 0;
+    const std::vector<double> before = load_components(a),
+                              after  = load_components(b);
+    double largest                   = 0;
     for (unsigned int i = 0; i < before.size(); ++i)
       if (before[i] != after[i])
         largest = std::max(largest,

@@ -216,7 +216,8 @@ namespace Biface
   std::variant<StepReport, LoadSteppingResult>
   LoadStepping::next_step(StageRun &run)
   {
-    if (const std::string message = run.control->exhausted(); !message.empty())
+    if (const std::string message = run.control->stop_reason();
+        !message.empty())
       {
         LoadSteppingResult failure = failure_at(run, run.progress.reached);
         failure.message            = message;
@@ -335,7 +336,7 @@ namespace Biface
                                NewtonIteration::substituted);
         attempt.result.iterations += spent;
       }
-    // where the foundation has moved by more than the elastic slip, all nodes
+    // where the ground has moved by more than the elastic slip, all nodes
     // would slip at first, however short the step, and nothing would hold a
     // shell that is soft sideways
     if (attempt.result.failed() && !run.rolls && run.stage.contact &&

@@ -31,7 +31,7 @@ namespace Biface
     for (std::vector<double> *factors :
          {&reached.factors, &control.start.factors, &factors_of_shape})
       *factors = rearranged(*factors, positions);
-    for (std::optional<FoundationReaction> *at : {&reaction, &first_reaction})
+    for (std::optional<GroundReaction> *at : {&reaction, &first_reaction})
       if (*at)
         (*at)->level.factors = rearranged((*at)->level.factors, positions);
   }

@@ -30,7 +30,7 @@ namespace Biface
                         run.contact.ground(),
                         run.state,
                         *report.loads,
-                        force_of_foundation(report.forces_of_bodies));
+                        force_of_ground(report.forces_of_bodies));
     if (run.heat)
       add_heat(run, report);
     report.slip_velocities =

@@ -79,7 +79,7 @@ namespace Biface
                       "factor' have the same values as before. Constant "
                       "nodal forces balance the residual at the start of the "
                       "stage; its norm is printed. Displacements, including "
-                      "prescribed ones, and the travel of the foundation "
+                      "prescribed ones, and the travel of the ground "
                       "start from 0 again.",
                       Patterns::Bool());
     StageResults::add_parameters(prm);
@@ -125,6 +125,6 @@ namespace Biface
       return;
     refuse(control != ControlKind::load && control != ControlKind::arc_length,
            "it needs 'Control = load' or 'arc length'");
-    refuse(moves_foundation(), "the foundation must not move");
+    refuse(moves_ground(), "the ground must not move");
   }
 } // namespace Biface

@@ -61,7 +61,7 @@ namespace Biface
       "(adaptive steps of the norm of all displacements, which pass limit "
       "points, until the loads of the stage are reached; 'Steps' sets the "
       "first step: 1/Steps of the loads), or 'foundation force' (equal steps "
-      "of the force on the foundation and of all loads; the travel is "
+      "of the force on the ground and of all loads; the travel is "
       "computed), or 'axle moment' (equal steps of the moment of the axle on a "
       "rolling wheel and of all loads; the angular velocity is computed), or "
       "'foundation force and axle moment' (both are prescribed, travel and "
@@ -86,7 +86,7 @@ namespace Biface
                       Unit("length") | RestartChange::within_stage);
     prm.add_parameter("Force",
                       force,
-                      "Compressive force on the foundation and the 'Bodies' "
+                      "Compressive force on the ground and the 'Bodies' "
                       "that move with it, along 'Contact/Direction', at the "
                       "end of a stage whose 'Control' prescribes it.",
                       Patterns::Double(),

@@ -112,8 +112,8 @@ namespace Biface
     prm.add_parameter("Contact",
                       contact,
                       "Whether the stage has contact with the rigid "
-                      "foundation of the section 'Contact'. Initially the "
-                      "foundation just touches the shell as deformed at the "
+                      "ground of the section 'Contact'. Initially the "
+                      "ground just touches the shell as deformed at the "
                       "start of the first stage with contact (or of the "
                       "first after 'Start from prestress') on the way to the "
                       "stage.",
@@ -123,7 +123,7 @@ namespace Biface
       "Travel",
       travel,
       unchanged,
-      "Travel of the foundation against 'Direction' at the end of the stage, "
+      "Travel of the ground against 'Direction' at the end of the stage, "
       "measured from where it first touched the shell. 'unchanged': as at "
       "the start of the stage.",
       Unit("length") | RestartChange::within_stage);
@@ -132,7 +132,7 @@ namespace Biface
       "Slide",
       slide,
       unchanged,
-      "Components x, y, z of the motion of the foundation sideways, orthogonal "
+      "Components x, y, z of the motion of the ground sideways, orthogonal "
       "to 'Contact/Direction', at the end of the stage. 'unchanged': as at the "
       "start of the stage.",
       Unit("length") | RestartChange::within_stage);
@@ -141,9 +141,9 @@ namespace Biface
       "Turn",
       turn,
       unchanged,
-      "Angle by which the foundation has turned at the end of the stage, "
+      "Angle by which the ground has turned at the end of the stage, "
       "right-handed about 'Contact/Direction' through the point where it first "
-      "touched the shell; this axis slides with the foundation. 'unchanged': "
+      "touched the shell; this axis slides with the ground. 'unchanged': "
       "as at the start of the stage.",
       Unit::degrees() | RestartChange::within_stage);
     add_optional_number(
@@ -153,9 +153,9 @@ namespace Biface
       unchanged,
       "Angle by which the wheel, its supports and loads included, has turned "
       "at the end of the stage, right-handed about the y axis. The results are "
-      "in axes that turn with the wheel: the foundation goes around it the "
+      "in axes that turn with the wheel: the ground goes around it the "
       "other way, after 'Travel', 'Slide' and 'Turn'. To roll slowly, let the "
-      "foundation slide, too. 'unchanged': as at the start of the stage.",
+      "ground slide, too. 'unchanged': as at the start of the stage.",
       Unit::degrees() | RestartChange::within_stage);
     add_optional_number(
       prm,
@@ -164,7 +164,7 @@ namespace Biface
       unchanged,
       "Angle by which the wheel leans to its right at the end of the stage, "
       "right-handed about its forward direction as in ISO 8855. The results "
-      "are in the axes of the wheel: the foundation leans the other way about "
+      "are in the axes of the wheel: the ground leans the other way about "
       "a line through the origin, after 'Travel', 'Slide' and 'Turn' and "
       "before 'Wheel turn', and 'Force' is normal to it. It is added to the angle of 'Contact/Direction'. "
       "'unchanged': as at the start of the stage.",
@@ -229,7 +229,7 @@ namespace Biface
       "Regularization",
       laws.penalty_stiffness,
       of_contact,
-      "'Contact/Regularization' in the stage, of the foundation and of bodies, "
+      "'Contact/Regularization' in the stage, of the ground and of bodies, "
       "to go from soft to rigid contact in several stages: an obstacle with "
       "steep sides lets the way decide where the shell rests on it. From that "
       "of the stage before, the penetration of a pressure changes evenly in "
@@ -257,7 +257,7 @@ namespace Biface
     prm.add_parameter(
       "Glued",
       laws.glued,
-      "Whether the nodes in contact with the foundation at the "
+      "Whether the nodes in contact with the ground at the "
       "start of the stage cannot slip, as long as they are in "
       "contact. Nodes that come into contact later have friction, as "
       "have those in contact with other bodies.",
@@ -384,6 +384,6 @@ namespace Biface
                        vector_to_string(*slide),
                        "it must be orthogonal to 'Contact/Direction', " +
                          vector_to_string(direction) +
-                         "; 'Travel' moves the foundation along it");
+                         "; 'Travel' moves the ground along it");
   }
 } // namespace Biface

@@ -41,7 +41,7 @@ namespace Biface
                       n_modes,
                       "Number of natural frequencies and modes of vibration "
                       "of the loaded shell that are computed at the end of "
-                      "the stage, the lowest ones. The foundation holds the "
+                      "the stage, the lowest ones. The ground holds the "
                       "nodes in contact along its normal and, with friction, "
                       "sideways; on a wheel that rolls, friction follows from "
                       "the slip velocity, and there are gyroscopic terms. All "

@@ -31,7 +31,7 @@ namespace Biface
 
 
     /** What a stage sets for a pair: the coefficient of friction and the glue
-     * are those of the foundation. */
+     * are those of the ground. */
     ContactLawsOfStage
     set_for(const ContactPair &pair, const Stage &stage)
     {
@@ -132,7 +132,7 @@ namespace Biface
 
 
   RigidBody
-  StageRun::with_foundation(const RigidBody &body, const LoadLevel &level) const
+  StageRun::with_ground(const RigidBody &body, const LoadLevel &level) const
   {
     // the wheel turns about its axle whatever its inclination
     const Tensor<1, 3> axle({0., 1., 0.});
@@ -140,12 +140,12 @@ namespace Biface
       contact.ground().moving_body.at_rest().direction();
     RigidBody placed = body.displaced(level.slide,
                                       level.turn * numbers::PI / 180,
-                                      progress.touched_point,
+                                      progress.first_contact_point,
                                       direction);
     if (level.inclination_angle != 0)
-      placed = placed.around(WheelAxes(direction).forward,
-                             -level.inclination_angle * numbers::PI / 180);
-    return placed.around(axle, -level.wheel_turn * numbers::PI / 180);
+      placed = placed.rotated(WheelAxes(direction).forward,
+                              -level.inclination_angle * numbers::PI / 180);
+    return placed.rotated(axle, -level.wheel_turn * numbers::PI / 180);
   }
 
 
@@ -177,11 +177,12 @@ namespace Biface
     if (stage.contact)
       {
         const double    slip_angle = level.slip_angle * numbers::PI / 180;
-        const RigidBody ground     = with_foundation(
-          on_steered(contact.ground().moving_body.after_travel(
-                       *progress.touching_travel + level.travel),
-                     slip_angle),
-          level);
+        const RigidBody ground =
+          with_ground(ground_at_slip_angle(
+                        contact.ground().moving_body.after_travel(
+                          *progress.travel_at_first_contact + level.travel),
+                        slip_angle),
+                      level);
         loads.place(0, {ground, at_level(level, 0, laws)});
         if (loads.rolling)
           loads.rolling->ground = GroundMotion::under_wheel(
@@ -190,18 +191,19 @@ namespace Biface
     for (const auto &[number, laws_of_body] : laws_of_bodies)
       {
         const ContactPair &pair = *contact.pairs[number];
-        loads.place(number,
-                    {pair.moving_body.after_motions(
-                       level.factors,
-                       [&](const RigidBody &body) {
-                         return with_foundation(
-                           contact.ground().moving_body.taken_along(
-                             body, *progress.touching_travel + level.travel),
-                           level);
-                       }),
-                     at_level(level, number, laws_of_body),
-                     pair.face,
-                     pair.name});
+        loads.place(
+          number,
+          {pair.moving_body.after_motions(
+             level.factors,
+             [&](const RigidBody &body) {
+               return with_ground(
+                 contact.ground().moving_body.carried_by(
+                   body, *progress.travel_at_first_contact + level.travel),
+                 level);
+             }),
+           at_level(level, number, laws_of_body),
+           pair.face,
+           pair.name});
       }
     return loads;
   }
@@ -237,7 +239,7 @@ namespace Biface
                     LoadLevel());
     progress.work             = Work();
     progress.factors_of_shape = progress.reached.factors;
-    progress.touching_travel.reset();
+    progress.travel_at_first_contact.reset();
     progress.reaction.reset();
     progress.last_change.clear();
     return equations.start_from_prestress(
@@ -291,11 +293,12 @@ namespace Biface
     std::optional<ShellEquations::Unbalance> unbalance;
     if (stage.from_prestress)
       unbalance = start_from_prestress();
-    if (stage.contact && !progress.touching_travel)
+    if (stage.contact && !progress.travel_at_first_contact)
       {
-        progress.touching_travel = touching_travel(contact.ground(), state);
-        progress.touched_point =
-          touched_point(contact.ground(), state, *progress.touching_travel);
+        progress.travel_at_first_contact =
+          travel_at_first_contact(contact.ground(), state);
+        progress.first_contact_point = first_contact_point(
+          contact.ground(), state, *progress.travel_at_first_contact);
         progress.reaction = {progress.reached, {}, {}};
       }
     progress.first_reaction = progress.reaction;

@@ -34,11 +34,10 @@ namespace Biface
 
   namespace
   {
-    /** The stiffness of the last step, if the foundation alone has moved.
+    /** The stiffness of the last step, if the ground alone has moved.
      * @param before what it exerted before the step. */
     std::optional<StepStiffness>
-    stiffness(const StageRun                          &run,
-              const std::optional<FoundationReaction> &before)
+    stiffness(const StageRun &run, const std::optional<GroundReaction> &before)
     {
       const Progress &progress = run.progress;
       const auto     &first    = progress.first_reaction;
@@ -52,12 +51,13 @@ namespace Biface
 
       const Tensor<1, 3> outward =
         run.contact.ground().moving_body.at_rest().direction();
-      const Point<3> center = progress.touched_point + first->level.slide -
+      const Point<3> center = progress.first_contact_point +
+                              first->level.slide -
                               first->level.travel * outward;
       const auto secant =
-        foundation_stiffness(*first, *progress.reaction, outward, center);
+        stiffness_against_ground(*first, *progress.reaction, outward, center);
       const auto tangent =
-        foundation_stiffness(*before, *progress.reaction, outward, center);
+        stiffness_against_ground(*before, *progress.reaction, outward, center);
       if (!secant || !tangent)
         return {};
       return StepStiffness{*first, *secant, *tangent};
@@ -81,13 +81,13 @@ namespace Biface
     report.forces = forces;
     report.forces_of_bodies =
       forces_on_shell(run.equations, run.state, *forces);
-    report.controlled                              = run.control->controlled();
-    const std::optional<FoundationReaction> before = progress.reaction;
+    report.controlled                          = run.control->controlled();
+    const std::optional<GroundReaction> before = progress.reaction;
     progress.reaction.reset();
     if (!run.stage.contact)
       return report;
 
-    const ForceOnShell &now = force_of_foundation(report.forces_of_bodies);
+    const ForceOnShell &now = force_of_ground(report.forces_of_bodies);
     progress.reaction       = {progress.reached, now.force, now.moment};
     report.stiffness        = stiffness(run, before);
     return report;

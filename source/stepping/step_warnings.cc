@@ -8,7 +8,7 @@
 #include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
-#include <biface/model/quantities/depth_between_points.h>
+#include <biface/model/quantities/penetration_between_points.h>
 #include <biface/solver/active_set_iteration.h>
 #include <biface/stepping/stage_run.h>
 #include <biface/stepping/step_warnings.h>
@@ -38,11 +38,11 @@ namespace Biface
     for (const auto &pair : run.contact.pairs)
       if (pair->body(*report.loads) &&
           warned_of_steep_sides.count(pair->name) == 0 &&
-          steepest_side(*pair, run.state, *report.loads) > steep)
+          largest_angle_of_normals(*pair, run.state, *report.loads) > steep)
         {
           out << "  Warning: the step was halved, and a steep side of "
               << (pair.get() == &run.contact.ground()
-                    ? "the foundation"
+                    ? "the ground"
                     : "the body '" + pair->name + "'")
               << " holds nodes; the shell may have several equilibria there, "
               << "of which the steps choose one. Go from soft to rigid contact "
@@ -62,7 +62,7 @@ namespace Biface
     if (contact.force >= -remarkable * contact.max_pressure * contact.area ||
         !warned_of_pull.insert(run.stage.name).second)
       return;
-    out << "  Warning: the foundation pulls at the shell, since its middle is "
+    out << "  Warning: the ground pulls at the shell, since its middle is "
         << "beyond the points that make contact; its radius is too small for "
         << "the cells" << std::endl;
   }
@@ -76,11 +76,12 @@ namespace Biface
 
     for (const auto &pair : run.contact.pairs)
       {
-        // on the foundation the footprint shows whether cells are small
+        // on the ground the footprint shows whether cells are small
         if (pair.get() == &run.contact.ground() ||
             warned_of_large_cells.count(pair->name) > 0 || !pair->body(loads))
           continue;
-        const auto deepest = depth_between_points(*pair, run.state, loads);
+        const auto deepest =
+          penetration_between_points(*pair, run.state, loads);
         if (deepest.relative <= remarkable)
           continue;
         char depth[48];
@@ -114,7 +115,7 @@ namespace Biface
           continue;
         out << "  Warning: "
             << (pair.get() == &run.contact.ground()
-                  ? "the foundation"
+                  ? "the ground"
                   : "the body '" + pair->name + "'")
             << " penetrates supported nodes, which cannot come into contact: "
             << name_nodes(run.contact.mesh, pierced) << std::endl;

@@ -46,7 +46,7 @@ namespace Biface
                     const LoadLevel             &end,
                     const std::optional<double> &before)
   {
-    return ended.ends_rolling_freely() ? free_rolling_radius(end) : before;
+    return ended.ends_free_rolling() ? free_rolling_radius(end) : before;
   }
 
 

@@ -3,7 +3,7 @@
 // The bias tire on a plane with a bar, which its tread of 8 mm rounds, has the
 // forces of the independent program of doc/bias_tire.md, with the bar below the
 // axle and 40 mm behind it; and pressed by a plane that is a body, or by one
-// that moves with the foundation, it has the force that the foundation has.
+// that moves with the ground, it has the force that the ground has.
 
 #include <biface/model/state/loads.h>
 
@@ -58,9 +58,9 @@ main(int argc, char *argv[])
 
   // the same plane three times
   const Overrides   steps{"Stage 2/Steps=4", "Contact/Multiplier mass=lumped"};
-  const Forces      foundation(tire, steps);
+  const Forces      ground(tire, steps);
   const std::string place =
-    "Body road/Point=" + std::to_string(height(foundation) + 25) + ", 7, 9";
+    "Body road/Point=" + std::to_string(height(ground) + 25) + ", 7, 9";
   const Forces body(tire,
                     joined(steps,
                            {"Bodies=road",
@@ -70,7 +70,7 @@ main(int argc, char *argv[])
                             "Stage 2/Travel=0",
                             "Stage 2/Bodies=road",
                             "Stage 2/Load factor=1"}));
-  const double force = foundation.of.at("foundation")[0];
+  const double force = ground.of.at("foundation")[0];
   check_small("body", body.of.at("road")[0] - force, 1e-6, force);
   const Forces carried(tire,
                        joined(steps,
@@ -80,7 +80,7 @@ main(int argc, char *argv[])
                                "Stage 2/Bodies=road",
                                "Stage 2/Travel=19"}));
   check_small(
-    "moved with the foundation", carried.of.at("road")[0] - force, 1e-9, force);
+    "moved with the ground", carried.of.at("road")[0] - force, 1e-9, force);
   check_small(
     "which is not there", carried.of.at("foundation")[0], 1e-9, force);
 }

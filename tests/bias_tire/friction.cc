@@ -31,7 +31,7 @@ main(int argc, char *argv[])
                "Stage 4/Slide=0, 15, 0",
                "Stage 4/Steps=2"},
     [&](const ShellEquations &, const StepReport &report, const State &) {
-      force = force_of_foundation(report.forces_of_bodies).force;
+      force = force_of_ground(report.forces_of_bodies).force;
       if (report.step == 8)
         check_small("lateral force", force[1] - 692.7, 1e-3, 692.7);
     });

@@ -14,9 +14,9 @@ using namespace Biface;
 
 namespace
 {
-  /** What the foundation exerts on the tire at the end. */
+  /** What the ground exerts on the tire at the end. */
   ForceOnShell
-  foundation_on(const std::vector<Override> &motion)
+  ground_on(const std::vector<Override> &motion)
   {
     std::vector<Override> overrides{"Contact/Multiplier mass=lumped",
                                     "Contact/Tangential regularization=1e4",
@@ -29,7 +29,7 @@ namespace
     run_bias_tire(
       overrides,
       [&](const ShellEquations &, const StepReport &report, const State &) {
-        result = force_of_foundation(report.forces_of_bodies);
+        result = force_of_ground(report.forces_of_bodies);
       });
     return result;
   }
@@ -42,7 +42,7 @@ main(int argc, char *argv[])
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
   const double step    = 0.01;
-  const auto   lateral = foundation_on({"Stage 3/Slide=0, 0.01, 0"});
+  const auto   lateral = ground_on({"Stage 3/Slide=0, 0.01, 0"});
   check_small("vertical force", lateral.force[0] + 1929.45, 1e-5, 1929.45);
   check_small(
     "lateral stiffness", lateral.force[1] / step - 145.24, 1e-3, 145.24);
@@ -50,7 +50,7 @@ main(int argc, char *argv[])
               lateral.force[2] / step + 12.87,
               1e-3,
               12.87);
-  const auto longitudinal = foundation_on({"Stage 3/Slide=0, 0, 0.01"});
+  const auto longitudinal = ground_on({"Stage 3/Slide=0, 0, 0.01"});
   check_small("longitudinal stiffness",
               longitudinal.force[2] / step - 1049.6,
               1e-3,
@@ -59,7 +59,7 @@ main(int argc, char *argv[])
               longitudinal.force[1] / step + 12.87,
               1e-3,
               12.87);
-  const auto turn = foundation_on({"Stage 3/Turn=0.01"});
+  const auto turn = ground_on({"Stage 3/Turn=0.01"});
   check_small(
     "torsional stiffness", turn.moment[0] / step - 58655, 1e-3, 58655);
 }

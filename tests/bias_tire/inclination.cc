@@ -90,7 +90,7 @@ main(int argc, char *argv[])
                   "Stage 2/Wheel turn=30"})
       .back();
   check_small("side force of a wheel that has turned",
-              force_of_foundation(turned.forces_of_bodies).force[1] -
+              force_of_ground(turned.forces_of_bodies).force[1] -
                 1900 * std::sin(4 * dealii::numbers::PI / 180),
               1e-6,
               1900);

@@ -24,7 +24,7 @@ namespace
   test(const bool along_axis)
   {
     double       pressure = 0;
-    ForceOnShell foundation;
+    ForceOnShell ground;
     const auto   reports = run_analysis(
       PRM_DIR "/tire_on_drum.prm",
       {"Mesh/Intervals alpha_1=-120:120:14",
@@ -49,8 +49,8 @@ namespace
             pressure += cell.geometry.weight / 4 * state.ground().pressure(n);
         const Point<3> on_axis =
           report.loads->ground()->present(Point<3>(radius, 0, 0));
-        foundation        = force_of_foundation(report.forces_of_bodies);
-        foundation.moment = foundation.moment_about(on_axis);
+        ground        = force_of_ground(report.forces_of_bodies);
+        ground.moment = ground.moment_about(on_axis);
       });
     pressure = Utilities::MPI::sum(pressure, MPI_COMM_WORLD);
     std::cout << (along_axis ? "along the axis" : "around it") << std::endl;
@@ -63,10 +63,10 @@ namespace
     check_true("  all slip", last.n_slipping == last.n_nodes);
     const double limit = coefficient * pressure;
     if (along_axis)
-      check_small("  lateral force", foundation.force[1] - limit, 1e-4, limit);
+      check_small("  lateral force", ground.force[1] - limit, 1e-4, limit);
     else
       check_small("  moment about the axis",
-                  std::abs(foundation.moment[1]) - radius * limit,
+                  std::abs(ground.moment[1]) - radius * limit,
                   1e-4,
                   radius * limit);
   }

@@ -83,7 +83,7 @@ main(int argc, char *argv[])
                                       -way * cosine),
             "Stage 4/Steps=" + std::to_string(5 * n_cells)}),
       [&](const ShellEquations &, const StepReport &report, const State &) {
-        force = force_of_foundation(report.forces_of_bodies).force;
+        force = force_of_ground(report.forces_of_bodies).force;
       })
       .back();
 

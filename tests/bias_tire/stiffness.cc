@@ -55,7 +55,7 @@ main(int argc, char *argv[])
       check_small(
         name + ": longitudinal force", stiffness.force[2] + 12.87, 1e-3, 12.87);
     }
-  const FoundationStiffness longitudinal = last.at("longitudinal").secant;
+  const StiffnessAgainstGround longitudinal = last.at("longitudinal").secant;
   check_small("longitudinal", longitudinal.along() - 1049.6, 1e-3, 1049.6);
   check_small(
     "longitudinal: lateral force", longitudinal.force[1] + 12.87, 1e-3, 12.87);

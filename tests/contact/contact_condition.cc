@@ -21,11 +21,11 @@ main()
   const double c = p / condition.penalty_stiffness();
   check_true("pressed, and less deep than the pressure asks for: held",
              condition.should_be_active(-p, -c / 2));
-  check_true("pressed, the foundation just reached: held",
+  check_true("pressed, the ground just reached: held",
              condition.should_be_active(-p, 0));
-  check_true("pulled, the foundation just reached: released",
+  check_true("pulled, the ground just reached: released",
              !condition.should_be_active(p, 0));
-  check_true("pressed, far from the foundation: held",
+  check_true("pressed, far from the ground: held",
              condition.should_be_active(-p, 1e4 * c));
   check_true("pulled, though deep inside: released",
              !condition.should_be_active(p, -1e4 * c));

@@ -17,13 +17,13 @@ using namespace Biface;
 namespace
 {
   std::vector<double>
-  numbers_of(const boost::property_tree::ptree &node)
+  values_of(const boost::property_tree::ptree &node)
   {
     if (node.empty())
       return {node.get_value<double>()};
     std::vector<double> numbers;
     for (const auto &child : node)
-      for (const double number : numbers_of(child.second))
+      for (const double number : values_of(child.second))
         numbers.push_back(number);
     return numbers;
   }
@@ -87,7 +87,7 @@ main()
   boost::property_tree::read_json(DATA_DIR "/bias_tire_element.json",
                                   reference);
   const auto values = [&](const std::string &name) {
-    return numbers_of(reference.get_child(name));
+    return values_of(reference.get_child(name));
   };
 
   Layup::Parameters parameters;

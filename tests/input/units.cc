@@ -109,7 +109,7 @@ namespace
 
   /** The results of a step in mm, N and MPa. */
   std::vector<double>
-  numbers_of(const StepReport &report,
+  results_of(const StepReport &report,
              const double      length,
              const double      pressure)
   {
@@ -153,8 +153,8 @@ namespace
     double     difference = in_m.size() == in_mm.size() ? 0. : 1.;
     for (unsigned int s = 0; s < std::min(in_m.size(), in_mm.size()); ++s)
       {
-        const auto expected = numbers_of(in_mm[s], 1, 1);
-        const auto found    = numbers_of(in_m[s], length, pressure);
+        const auto expected = results_of(in_mm[s], 1, 1);
+        const auto found    = results_of(in_m[s], length, pressure);
         for (unsigned int i = 0; i < expected.size(); ++i)
           // forces across the symmetry of the tire are round-off of others
           difference = std::max(difference,

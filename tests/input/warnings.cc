@@ -2,7 +2,7 @@
 
 // What is allowed but probably unintended is said at the start, by --check,
 // too: loads that no stage applies, symmetry where angle plies have none,
-// cyclic sectors that do not divide the turn, a foundation that would pass a
+// cyclic sectors that do not divide the turn, a ground that would pass a
 // supported edge, meridians whose outward side faces the axis, and points of a
 // file that were taken as one, or are a kink.
 

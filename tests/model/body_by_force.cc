@@ -120,14 +120,12 @@ namespace
                          "Stage 2/Control=foundation force",
                          "Stage 2/Force=0.5"});
     if (is_root())
-      check_small("force of the foundation",
-                  -forces.of.at("foundation")[2] - 0.5,
-                  1e-6,
-                  0.5);
+      check_small(
+        "force of the ground", -forces.of.at("foundation")[2] - 0.5, 1e-6, 0.5);
   }
 
 
-  /** The force on the foundation is that on the bodies on it, too. */
+  /** The force on the ground is that on the bodies on it, too. */
   void
   press_with_bump()
   {

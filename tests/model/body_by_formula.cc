@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // A bar that is given by a formula, or by heights over a grid, presses a plate
-// like one given by its radius, while it turns, or on the foundation behind a
+// like one given by its radius, while it turns, or on the ground behind a
 // tread; in m and Pa as in mm and MPa.
 
 #include <cmath>
@@ -36,17 +36,17 @@ namespace
     "Stage 1/Steps=3"};
 
   /** The bar is on a plane, both behind a tread. */
-  const std::vector<Override> on_foundation{"Supports/alpha_1 min=fixed",
-                                            "Body press/Point=11, 5, 7.7",
-                                            "Body press/Moves with=foundation",
-                                            "Contact/Multiplier mass=lumped",
-                                            "Contact/Tread/Height=0.5",
-                                            "Contact/Tread/Modulus=2",
-                                            "Number of stages=1",
-                                            "Stage 1/Bodies=floor, press",
-                                            "Stage 1/Contact=true",
-                                            "Stage 1/Travel=0.1",
-                                            "Stage 1/Steps=2"};
+  const std::vector<Override> on_ground{"Supports/alpha_1 min=fixed",
+                                        "Body press/Point=11, 5, 7.7",
+                                        "Body press/Moves with=foundation",
+                                        "Contact/Multiplier mass=lumped",
+                                        "Contact/Tread/Height=0.5",
+                                        "Contact/Tread/Modulus=2",
+                                        "Number of stages=1",
+                                        "Stage 1/Bodies=floor, press",
+                                        "Stage 1/Contact=true",
+                                        "Stage 1/Travel=0.1",
+                                        "Stage 1/Steps=2"};
 
 
   Forces
@@ -107,8 +107,8 @@ main(int argc, char *argv[])
       .of.at("press");
   for (unsigned int i = 3; i < 6; ++i)
     in_m[i] *= 1000;
-  const Forces behind_tread         = run(on_foundation, radius),
-               formula_behind_tread = run(on_foundation, formula);
+  const Forces behind_tread         = run(on_ground, radius),
+               formula_behind_tread = run(on_ground, formula);
   if (!is_root)
     return 0;
   check_true("the bar presses", -truth[2] > 1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // With the lumped mass the nodal forces add up to the reported force on a
-// curved foundation and act through its axis or its center; with both masses
+// curved ground and act through its axis or its center; with both masses
 // the derivatives of force and residual by the displacements and the travel are
 // correct.
 
@@ -30,7 +30,7 @@ namespace
 
   void
   test(const std::string           &name,
-       const RigidBody::Parameters &foundation,
+       const RigidBody::Parameters &ground,
        const MortarMatrix           mass)
   {
     const Layup layup(Layup::Parameters(), cord_ply());
@@ -39,7 +39,7 @@ namespace
     ContactParameters parameters;
     parameters.condition.mortar_matrix     = mass;
     parameters.condition.penalty_stiffness = 1;
-    parameters.body                        = foundation;
+    parameters.body                        = ground;
     const ContactInteraction contact(*mesh, parameters);
     ShellEquations           equations(*mesh, make_force_terms(*mesh, contact));
 
@@ -47,7 +47,7 @@ namespace
     Loads loads;
     loads.place(0,
                 {contact.ground().moving_body.after_travel(
-                   touching_travel(contact.ground(), state)),
+                   travel_at_first_contact(contact.ground(), state)),
                  contact.ground().laws()});
     const double touching =
       std::abs(remaining_travel(contact.ground(), state, loads)) / mesh->size();
@@ -62,11 +62,10 @@ namespace
     forces += equations.residual();
 
     Tensor<1, 3>       sum, moment;
-    const auto        &line = foundation.line;
+    const auto        &line = ground.line;
     const Tensor<1, 3> d    = line.direction / line.direction.norm();
     const double       radius =
-      (foundation.shape == Shape::drum ? foundation.drum.radius
-                                       : foundation.sphere.radius)
+      (ground.shape == Shape::drum ? ground.drum.radius : ground.sphere.radius)
         .value_or(0);
     // it has come by as much as it lacks at the point of its line
     const double   travel = -loads.ground()->clearance(line.point);
@@ -87,9 +86,8 @@ namespace
     moment = Utilities::MPI::sum(moment, MPI_COMM_WORLD);
 
     LoadRates rates;
-    rates.travel = 1;
-    const auto force =
-      foundation_force(contact.ground(), state, loads, {rates});
+    rates.travel       = 1;
+    const auto   force = ground_force(contact.ground(), state, loads, {rates});
     const double scale = force.value;
 
     // derivatives with respect to the travel
@@ -100,8 +98,8 @@ namespace
       return result;
     };
     const double per_travel =
-      (foundation_force(contact.ground(), state, moved(step)).value -
-       foundation_force(contact.ground(), state, moved(-step)).value) /
+      (ground_force(contact.ground(), state, moved(step)).value -
+       ground_force(contact.ground(), state, moved(-step)).value) /
       (2 * step);
     LA::Vector   direction      = equations.load_direction(state, loads, rates);
     const double direction_norm = direction.l2_norm();
@@ -122,8 +120,7 @@ namespace
         V.add(sign * step, dV);
         gradient -=
           sign / (2 * step) *
-          foundation_force(contact.ground(), at(equations, state, V), loads)
-            .value;
+          ground_force(contact.ground(), at(equations, state, V), loads).value;
       }
 
     const double       deviation = direction.l2_norm();
@@ -138,9 +135,8 @@ namespace
       {
         check_small("  sum of the forces", sum * d + scale, 1e-12, scale);
         check_small("  moment about axis or center",
-                    foundation.shape == Shape::drum
-                      ? moment * foundation.drum.axis
-                      : moment.norm(),
+                    ground.shape == Shape::drum ? moment * ground.drum.axis
+                                                : moment.norm(),
                     1e-12,
                     scale * std::abs(radius));
       }
@@ -159,22 +155,22 @@ main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  RigidBody::Parameters foundation;
+  RigidBody::Parameters ground;
   // the drum's axis is across it, so that the drum's center is on the line
-  foundation.line.direction = Tensor<1, 3>({1, 0.2, -0.1});
-  foundation.line.point     = Point<3>(10, 2, -1);
-  foundation.drum.axis      = Tensor<1, 3>({-0.2, 1, 0});
-  foundation.drum.axis /= foundation.drum.axis.norm();
+  ground.line.direction = Tensor<1, 3>({1, 0.2, -0.1});
+  ground.line.point     = Point<3>(10, 2, -1);
+  ground.drum.axis      = Tensor<1, 3>({-0.2, 1, 0});
+  ground.drum.axis /= ground.drum.axis.norm();
 
-  foundation.shape       = Shape::drum;
-  foundation.drum.radius = 80;
-  test("drum, lumped mass", foundation, MortarMatrix::lumped);
-  test("drum, consistent mass", foundation, MortarMatrix::consistent);
-  foundation.drum.radius = -400;
-  test("hollow drum, lumped mass", foundation, MortarMatrix::lumped);
+  ground.shape       = Shape::drum;
+  ground.drum.radius = 80;
+  test("drum, lumped mass", ground, MortarMatrix::lumped);
+  test("drum, consistent mass", ground, MortarMatrix::consistent);
+  ground.drum.radius = -400;
+  test("hollow drum, lumped mass", ground, MortarMatrix::lumped);
 
-  foundation.shape         = Shape::sphere;
-  foundation.sphere.radius = 120;
-  test("sphere, lumped mass", foundation, MortarMatrix::lumped);
-  test("sphere, consistent mass", foundation, MortarMatrix::consistent);
+  ground.shape         = Shape::sphere;
+  ground.sphere.radius = 120;
+  test("sphere, lumped mass", ground, MortarMatrix::lumped);
+  test("sphere, consistent mass", ground, MortarMatrix::consistent);
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// On a rough foundation of each shape that slides and turns, for both
+// On a rough ground of each shape that slides and turns, for both
 // multiplier masses, the forces and moments on a tire are in balance, and that
-// of the foundation along its direction is the force of the history.
+// of the ground along its direction is the force of the history.
 
 #include "forces.h"
 
@@ -42,7 +42,7 @@ main(int argc, char *argv[])
         const double force = forces.report.contact.force;
         check_true("  some nodes slip", forces.report.contact.n_slipping > 0);
         check_small("  balance", forces.imbalance, 1e-8);
-        check_small("  force of the foundation",
+        check_small("  force of the ground",
                     forces.of.at("foundation")[0] + force,
                     1e-9,
                     force);

@@ -135,8 +135,7 @@ main(int argc, char *argv[])
           "  support without friction", forces.of.at("alpha_1 max")[0], 1e-12);
         check_true("  the point pulls or pushes",
                    std::abs(forces.of.at("point middle")[2]) > 1);
-        check_true("  no foundation",
-                   forces.of.at("foundation") == Resultant{});
+        check_true("  no ground", forces.of.at("foundation") == Resultant{});
       }
   }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The forces on a tire in contact are in balance; that of the foundation is the
+// The forces on a tire in contact are in balance; that of the ground is the
 // force of the history; and the part of the balance that comes from the
 // interpolation of rigid motions is small, of second order in the size of the
 // cells.
@@ -32,7 +32,7 @@ main(int argc, char *argv[])
       const double force = forces.report.contact.force;
       check_true("in contact", force > 100);
       check_small("balance", forces.imbalance, 1e-8);
-      check_small("force of the foundation",
+      check_small("force of the ground",
                   forces.of.at("foundation")[0] + force,
                   1e-9,
                   force);

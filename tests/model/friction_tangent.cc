@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// With nodes that stick, slip and are glued, on each shape of foundation, slid
+// With nodes that stick, slip and are glued, on each shape of ground, slid
 // and turned, for both multiplier masses and points in cells, the tangent is
 // the derivative of the residual, also by the travel, and the force on the
-// foundation has the derivatives that it reports.
+// ground has the derivatives that it reports.
 
 #include <cmath>
 
@@ -54,10 +54,11 @@ namespace
 
     State state =
       at(equations, contact.unloaded_state(), some_displacement(*mesh, 0.2, 1));
-    const double   touching = touching_travel(contact.ground(), state);
-    const Point<3> pivot    = touched_point(contact.ground(), state, touching);
-    const auto     law      = contact.ground().laws();
-    Loads          loads;
+    const double   touching = travel_at_first_contact(contact.ground(), state);
+    const Point<3> pivot =
+      first_contact_point(contact.ground(), state, touching);
+    const auto law = contact.ground().laws();
+    Loads      loads;
     loads.place(
       0, {contact.ground().moving_body.after_travel(touching + 14), law});
     const Tensor<1, 3> across =
@@ -66,7 +67,7 @@ namespace
     contact.settle(state, loads);
     contact.ground().commit_step(state, loads);
 
-    // the foundation moves on, and some nodes are said to do something else
+    // the ground moves on, and some nodes are said to do something else
     loads.place(0,
                 {contact.ground()
                    .moving_body.after_travel(touching + 15)
@@ -95,9 +96,8 @@ namespace
     equations.tangent().vmult(product, dV);
     const double scale = product.l2_norm();
     LoadRates    rates;
-    rates.travel = 1;
-    const auto force =
-      foundation_force(contact.ground(), state, loads, {rates});
+    rates.travel       = 1;
+    const auto   force = ground_force(contact.ground(), state, loads, {rates});
     double       gradient       = force.gradient * dV;
     const double gradient_scale = force.gradient.l2_norm() * dV.l2_norm();
     for (const double sign : {-1., 1.})
@@ -109,7 +109,7 @@ namespace
         equations.assemble(moved, loads);
         product.add(sign / (2 * step), equations.residual());
         gradient -= sign / (2 * step) *
-                    foundation_force(contact.ground(), moved, loads).value;
+                    ground_force(contact.ground(), moved, loads).value;
       }
 
     LA::Vector   direction      = equations.load_direction(state, loads, rates);
@@ -122,7 +122,7 @@ namespace
         equations.assemble(state, moved);
         direction.add(-sign / (2 * step), equations.residual());
         per_travel -= sign / (2 * step) *
-                      foundation_force(contact.ground(), state, moved).value;
+                      ground_force(contact.ground(), state, moved).value;
       }
 
     const double       deviation  = product.l2_norm() / scale;

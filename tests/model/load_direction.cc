@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The derivative of the residual with respect to the loads, at rates of the
-// pressure, of the load factor and of the foundation's travel, is that of its
+// pressure, of the load factor and of the ground's travel, is that of its
 // differences, with dead and with follower loads; and likewise at the rate of a
 // motion that turns a body, without and with friction. So are the derivatives
 // of the power of the body in this motion.
@@ -56,7 +56,7 @@ namespace
     loads.factors  = {0.7};
     loads.place(0,
                 {contact.ground().moving_body.after_travel(
-                   touching_travel(contact.ground(), state) + 6),
+                   travel_at_first_contact(contact.ground(), state) + 6),
                  contact.ground().laws()});
     contact.settle(state, loads);
 

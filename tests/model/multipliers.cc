@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The multipliers of a state vanish at nodes apart from the foundation, are
+// The multipliers of a state vanish at nodes apart from the ground, are
 // those of the clearance at nodes in contact, and integrate, as a bilinear
 // field, to the reported force and the forces on the shell.
 
@@ -42,7 +42,7 @@ namespace
     Loads loads;
     loads.place(0,
                 {contact.ground().moving_body.after_travel(
-                   touching_travel(contact.ground(), state) + 12),
+                   travel_at_first_contact(contact.ground(), state) + 12),
                  contact.ground().laws()});
     contact.settle(state, loads);
     // another displacement, farther back: nodes leave

@@ -22,7 +22,7 @@ namespace
     const ShellEquations equations(mesh);
     const State          state =
       at(equations, State(mesh), some_displacement(mesh, 0.2, 1));
-    return equations.out_of_balance(state, Loads());
+    return equations.out_of_balance_forces(state, Loads());
   }
 } // namespace
 

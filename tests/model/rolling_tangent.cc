@@ -62,14 +62,15 @@ namespace
     State state = at(equations, State(*mesh), some_displacement(*mesh, 0.2, 1));
     Loads loads;
     const auto   law        = contact.ground().laws({}, true);
-    const double touching   = touching_travel(contact.ground(), state);
+    const double touching   = travel_at_first_contact(contact.ground(), state);
     const auto   set_travel = [&](Loads &loads, const double travel) {
       const double slip_angle = 0.02;
-      loads.place(0,
-                  {on_steered(contact.ground().moving_body.after_travel(
-                                touching + travel),
-                              slip_angle),
-                   law});
+      loads.place(
+        0,
+        {ground_at_slip_angle(
+           contact.ground().moving_body.after_travel(touching + travel),
+           slip_angle),
+         law});
       loads.rolling->ground =
         GroundMotion::under_wheel(*loads.ground(), 200 * omega + 5, slip_angle);
     };
@@ -92,7 +93,7 @@ namespace
     const auto resultants     = [&](const State &state, const Loads &loads) {
       return std::array<ContactResultant, 2>{
         {axle_moment(contact.ground(), state, loads, rates),
-         foundation_force(contact.ground(), state, loads, rates)}};
+         ground_force(contact.ground(), state, loads, rates)}};
     };
     const auto            here = resultants(state, loads);
     std::array<double, 2> gradients{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The tangent is symmetric, and says so, unless a foundation is there with the
+// The tangent is symmetric, and says so, unless a ground is there with the
 // consistent multiplier mass, or a follower pressure that is not zero on a
 // shell with free edges, or the law is not symmetric. On a shell whose edges
 // are held, a follower pressure leaves it symmetric.
@@ -31,7 +31,7 @@ namespace
        const PressureKind  kind,
        const bool          symmetric,
        const bool          with_pressure,
-       const bool          with_foundation,
+       const bool          with_ground,
        const bool          closed        = false,
        const Interpolation interpolation = Interpolation::components)
   {
@@ -53,10 +53,10 @@ namespace
     State state = at(equations, State(*mesh), some_displacement(*mesh, 0.2, 1));
     Loads loads;
     loads.pressure = (with_pressure ? 0.1 : 0.);
-    if (with_foundation)
+    if (with_ground)
       loads.place(0,
                   {contact.ground().moving_body.after_travel(
-                     touching_travel(contact.ground(), state) + 6),
+                     travel_at_first_contact(contact.ground(), state) + 6),
                    contact.ground().laws()});
     contact.settle(state, loads);
     equations.assemble(state, loads);
@@ -88,7 +88,7 @@ main(int argc, char *argv[])
   const auto dead       = PressureKind::dead;
   const auto follower   = PressureKind::follower;
 
-  test("symmetric: no foundation", law, consistent, dead, true, true, false);
+  test("symmetric: no ground", law, consistent, dead, true, true, false);
   test("not: consistent mass", law, consistent, dead, false, true, true);
   test("symmetric: lumped mass", law, lumped, dead, true, true, true);
   test("not: follower pressure and free edges",

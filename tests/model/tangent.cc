@@ -41,7 +41,7 @@ namespace
        const StrainTheory  theory,
        const PressureKind  pressure_kind = PressureKind::dead,
        const std::string  &plies         = bias_plies,
-       const Shape         foundation    = Shape::plane,
+       const Shape         ground        = Shape::plane,
        const std::string  &shear         = "constant strain",
        const std::string  &compression   = "E_L",
        const Interpolation interpolation = Interpolation::components,
@@ -59,12 +59,12 @@ namespace
     const auto  mesh =
       coarse_torus(layup, StrainSampling::vertices, false, interpolation);
 
-    // a foundation as soft as the shell, so that neither hides the other
+    // a ground as soft as the shell, so that neither hides the other
     ContactParameters contact_parameters;
     contact_parameters.condition.mortar_matrix     = mass;
     contact_parameters.condition.penalty_stiffness = 1;
     contact_parameters.condition.points_per_side   = points;
-    contact_parameters.body.shape                  = foundation;
+    contact_parameters.body.shape                  = ground;
     contact_parameters.body.line.direction = Tensor<1, 3>({1, 0.2, -0.1});
     contact_parameters.body.drum.radius    = 80;
     contact_parameters.body.drum.axis      = Tensor<1, 3>({0.3, 1, 0.1});
@@ -109,7 +109,7 @@ namespace
     loads.factors  = {0.7};
     loads.place(0,
                 {contact.ground().moving_body.after_travel(
-                   touching_travel(contact.ground(), state) + 6),
+                   travel_at_first_contact(contact.ground(), state) + 6),
                  contact.ground().laws()});
     const unsigned int n_active = contact.settle(state, loads);
 
@@ -154,7 +154,7 @@ namespace
         check_small("  and its forces", unbalanced, 1e-12, stress);
         check_range("  nodes in contact",
                     n_active,
-                    foundation == Shape::plane ? 4 : 2,
+                    ground == Shape::plane ? 4 : 2,
                     n_nodes / 2 * std::max(1U, points * points));
         check_true("  forces are there", force > 1);
         check_small("  tangent", deviation, 1e-8);

@@ -86,7 +86,7 @@ main(int argc, char *argv[])
     for (const auto &pair : contact.pairs)
       {
         RigidBody body = pair->moving_body.after_travel(
-          touching_travel(*pair, contact.unloaded_state()) + approach);
+          travel_at_first_contact(*pair, contact.unloaded_state()) + approach);
         if (pair->face == Resultants::outer)
           body = body.displaced(Tensor<1, 3>({slide, 0, 0}), 0, Point<3>());
         loads.place(pair->number, {body, pair->laws()});

@@ -58,7 +58,7 @@ namespace
     Loads loads;
     loads.place(0,
                 {contact.ground().moving_body.after_travel(
-                   touching_travel(contact.ground(), state) + 15),
+                   travel_at_first_contact(contact.ground(), state) + 15),
                  contact.ground().laws({}, true)});
     loads.rolling = Rolling{5};
     loads.rolling->ground =

@@ -33,7 +33,7 @@ main(int argc, char *argv[])
                             "Stage 4/Contact=true",
                             "Stage 4/Wheel turn=-10"},
     [&](const ShellEquations &, const StepReport &report, const State &) {
-      forces.push_back(force_of_foundation(report.forces_of_bodies).force);
+      forces.push_back(force_of_ground(report.forces_of_bodies).force);
     });
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     return 0;

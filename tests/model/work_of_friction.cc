@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// While a tire slides on a rough plane, loads and foundation do as much work as
+// While a tire slides on a rough plane, loads and ground do as much work as
 // its strain energy increases by, plus that of friction, and four times
 // as many steps leave less than a quarter of the difference.
 
@@ -40,11 +40,10 @@ main(int argc, char *argv[])
             const State &state) {
           energy.push_back(equations.internal_forces().strain_energy(state));
         });
-      const Work  &start = reports[2].work;
-      const Work  &end   = reports.back().work;
-      const double done =
-        end.loads + end.foundation - start.loads - start.foundation;
-      const double stored     = energy.back() - energy[2];
+      const Work  &start  = reports[2].work;
+      const Work  &end    = reports.back().work;
+      const double done   = end.loads + end.ground - start.loads - start.ground;
+      const double stored = energy.back() - energy[2];
       const double friction   = end.friction - start.friction;
       const double difference = std::abs(done - stored - friction) / done;
       if (is_root)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// stiffness.csv has a line for each step in which the foundation moves in one
+// stiffness.csv has a line for each step in which the ground moves in one
 // way while all other loads rest, whatever the number of ranks. Its stiffnesses
 // are differences of the forces and moments in forces.csv over the motion.
 
@@ -46,7 +46,7 @@ namespace
         const Row         &to,
         const double       height)
   {
-    // about the point of the foundation at which it touched the tire first
+    // about the point of the ground at which it touched the tire first
     const Tensor<1, 3> center({height, 0., 0.});
     const Tensor<1, 3> force  = vector_of(to, "F_") - vector_of(from, "F_");
     const Tensor<1, 3> moment = vector_of(to, "M_") - vector_of(from, "M_") -
@@ -95,9 +95,9 @@ main(int argc, char *argv[])
                                 "Stage 6/Contact=true",
                                 "Stage 6/Turn=1",
                                 "Stage 6/Travel=11",
-                                "Stage 7/Name=no foundation",
+                                "Stage 7/Name=no ground",
                                 "Stage 7/Start from=2",
-                                "Stage 8/Name=foundation comes back",
+                                "Stage 8/Name=ground comes back",
                                 "Stage 8/Contact=true",
                                 "Stage 8/Travel=12",
                                 "Stage 9/Name=sealed",

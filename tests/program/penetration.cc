@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// A shell that penetrates the foundation by more than 1 % of its thickness is
+// A shell that penetrates the ground by more than 1 % of its thickness is
 // warned of once a stage, with the penetration that belongs to the pressure.
 // With the default regularization there is none.
 
@@ -21,13 +21,13 @@ namespace
 {
   /** What the program prints about a strip that is pressed twice. */
   std::string
-  printed(const std::string &regularization)
+  printed(const std::string &penalty_stiffness)
   {
     std::ostringstream out, err;
     Biface::run_program({"--output",
                          "results",
                          "--set",
-                         "Contact/Regularization=" + regularization,
+                         "Contact/Regularization=" + penalty_stiffness,
                          "--set",
                          "Number of stages=3",
                          "--set",
@@ -50,7 +50,7 @@ main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  const std::string        what = "penetrates the foundation by ";
+  const std::string        what = "penetrates the ground by ";
   const std::string        text = printed("100");
   const auto               rows = read_csv("results/history.csv");
   std::vector<std::string> warnings;

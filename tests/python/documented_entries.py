@@ -12,6 +12,6 @@ check(entries["Stage 1/Steps"].type is int, f"{entries['Stage 1/Steps']}")
 check(entries["Stage 1/Contact"].default is False, f"{entries['Stage 1/Contact']}")
 travel = entries["Stage 1/Travel"]
 check((travel.type, travel.default) == (float, None), f"{travel}")
-foundation = entries["Contact/Foundation"]
-check(foundation.choices == ("plane", "drum", "sphere"), f"{foundation}")
+ground = entries["Contact/Foundation"]
+check(ground.choices == ("plane", "drum", "sphere"), f"{ground}")
 check(entries["Laminate/Plies"].type is str, f"{entries['Laminate/Plies']}")

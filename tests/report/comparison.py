@@ -12,7 +12,7 @@ require("matplotlib")
 page = page_of(RUNS / "bias_tire", RUNS / "shell")
 forces = [float(read_csv(RUNS / name / "history.csv")[-1]["force"])
           for name in ("bias_tire", "shell")]
-values = page.numbers("Force on the foundation [N]")
+values = page.numbers("Force on the ground [N]")
 change = forces[1] - forces[0]
 for value, expected in zip(values, (*forces, change, 100 * change / forces[0])):
     check_equal(value, expected, "the force")

@@ -13,7 +13,7 @@ history = read_csv(path)
 path.write_text(path.read_text()[:-20])
 
 page = page_of(directory)
-check_equal(page.numbers("Force on the foundation")[0],
+check_equal(page.numbers("Force on the ground")[0],
             float(history[-2]["force"]), "the force")
 check("last line of history.csv is cut off" in page.text, "the cut is not told")
 check("ended before its last stage was done: travel 15 of 20" in page.text,

@@ -13,8 +13,8 @@ last = {name: float(value) for name, value in history[-1].items()
 before = {name: float(history[-2][name]) for name in ("force", "approach")}
 
 for head, expected in (
-        ("Force on the foundation", last["force"]),
-        ("Approach of the foundation", last["approach"]),
+        ("Force on the ground", last["force"]),
+        ("Approach of the ground", last["approach"]),
         ("Stiffness", (last["force"] - before["force"])
          / (last["approach"] - before["approach"])),
         ("Contact area", last["contact_area"]),

@@ -42,4 +42,4 @@ for word in ("[length", "[force", "force/length"):
     check(word not in text, f"{word} is left")
 axes = draw_contact_curve(Results(directory)).axes[0]
 check((axes.get_xlabel(), axes.get_ylabel())
-      == ("approach [mm]", "force on the foundation [N]"), "the labels of the curve")
+      == ("approach [mm]", "force on the ground [N]"), "the labels of the curve")

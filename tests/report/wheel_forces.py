@@ -11,14 +11,14 @@ require("matplotlib", "numpy")
 sys.path.insert(0, str(PACKAGE))
 
 import numpy as np
-from biface_report.foundation import Foundation
+from biface_report.ground import Ground
 from biface_report.wheel import WheelAxes
 
 # forces of a ground at some points of it, upright and inclined, flat and round
 rng = np.random.default_rng(3)
 for direction in ([2.0, 0, 0], [1, 0, -0.4], [1, 0.5, 0.2]):
     for shape in ("plane", "sphere"):
-        ground = Foundation(shape, direction, [230, 4, 30], 400.0, travel=7.0)
+        ground = Ground(shape, direction, [230, 4, 30], 400.0, travel=7.0)
         wheel = WheelAxes(direction)
         forward, left, up = wheel.axes
         check(np.allclose(wheel.axes @ wheel.axes.T, np.eye(3)), "not orthonormal")

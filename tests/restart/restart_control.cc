@@ -39,7 +39,7 @@ main(int argc, char *argv[])
                  "Step control/Maximum growth=4",
                  DATA_DIR "/../verification/cantilever_end_shear.prm"},
                 5);
-  check_restart("force on the foundation",
+  check_restart("force on the ground",
                 with(soft_tire,
                      {"Stage 2/Control=foundation force",
                       "Stage 2/Travel=0",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Derivatives are those of whole runs with a changed entry, by central
-// differences, along every kind of path: where the foundation touches a shell
+// differences, along every kind of path: where the ground touches a shell
 // that depends on the entry, with friction, linear strain theory, a force or an
 // arc length that is controlled, a sealed gas, and a stage that starts from an
 // earlier one; of frequencies and buckling factors, too.
@@ -57,7 +57,7 @@ main(int argc, char **argv)
                             "Stage 3/Steps=2"}),
                       "Contact/Friction; Stage 3/Slide[2]; " + entries,
                       "force, foundation F_y, side u_y");
-  // the foundation penetrates by less than it moves with the entries
+  // the ground penetrates by less than it moves with the entries
   check_sensitivities(
     "stiff contact with friction",
     tire,

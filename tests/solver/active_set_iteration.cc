@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Nodes that alternately touch and leave a foundation are held in contact until
+// Nodes that alternately touch and leave a ground are held in contact until
 // they are released; if they cycle again, the failure names them.
 
 #include <iostream>
@@ -32,15 +32,15 @@ main(int argc, char *argv[])
   const ContactInteraction contact(*mesh, ContactParameters());
   State                    state(*mesh);
 
-  // the foundation goes to and fro, and the shell stands still
+  // the ground goes to and fro, and the shell stands still
   Loads near, far;
   near.place(0,
              {contact.ground().moving_body.after_travel(
-                touching_travel(contact.ground(), state) + 12),
+                travel_at_first_contact(contact.ground(), state) + 12),
               contact.ground().laws()});
   far.place(0,
             {contact.ground().moving_body.after_travel(
-               touching_travel(contact.ground(), state) + 1),
+               travel_at_first_contact(contact.ground(), state) + 1),
              contact.ground().laws()});
 
   ActiveSetIteration zone(contact, out);

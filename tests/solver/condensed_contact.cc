@@ -76,7 +76,7 @@ namespace
     Loads loads;
     loads.place(0,
                 {contact.ground().moving_body.after_travel(
-                   touching_travel(contact.ground(), state) + 10),
+                   travel_at_first_contact(contact.ground(), state) + 10),
                  contact.ground().laws()});
     contact.update_active_set(state, loads);
     const ActiveSet all = contact.active_points(state);
@@ -92,12 +92,12 @@ namespace
 
     CondensedContact condensed(equations, contact, solver);
     const auto       points = condensed.differences(all, base);
-    const auto       units  = unit_multipliers(contact, state, loads, points);
+    const auto       units = contact_constraints(contact, state, loads, points);
 
     const LA::Vector probe = some_displacement(*mesh, 1, 5);
     LA::Vector       with(probe), x(probe), forces(probe);
     equations.tangent().vmult(with, probe);
-    for (const UnitMultiplier &unit : units)
+    for (const ContactConstraint &unit : units)
       {
         double motion = 0;
         for (const auto &[entry, derivative] : unit.gradient)

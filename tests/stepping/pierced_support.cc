@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The travel counts from the first node that can come into contact; held nodes
-// that the foundation passes through are named once.
+// that the ground passes through are named once.
 
 
 #include "../run_analysis.h"

@@ -29,7 +29,7 @@ namespace Biface
    * Two perturbed runs belong to each entry @f$p@f$: models built from
    * the parameter file with @f$p\pm h@f$, with everything that later steps read
    * of earlier ones: the displacements, the history of friction, the place
-   * where the foundation touches, the prestress, the content of the gas. They
+   * where the ground touches, the prestress, the content of the gas. They
    * follow the steps of the run, but linearly. With the active set and the
    * slipping nodes of the run, in each step that is read later
    * @f[

@@ -27,11 +27,11 @@ namespace Biface
     /** The stiffness of a spring against the motion, where a force determines
      * it. Unit: force/length, or force*length for a turn alone. */
     double spring = 0;
-    /** The position of the factor in Loads::factors, or travel_of_foundation.
+    /** The position of the factor in Loads::factors, or travel_of_ground.
      */
     unsigned int factor = 0;
 
-    static constexpr unsigned int travel_of_foundation =
+    static constexpr unsigned int travel_of_ground =
       dealii::numbers::invalid_unsigned_int;
 
     /** The length of the translation at the factor 1 or, without one, the

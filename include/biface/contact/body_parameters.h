@@ -24,7 +24,7 @@ namespace Biface
   class EntryDeclarations;
 
 
-  /** A rigid body beside the foundation: an obstacle on it, a rim, a piston. */
+  /** A rigid body beside the ground: an obstacle on it, a rim, a piston. */
   struct BodyParameters
   {
     enum class Shape
@@ -77,15 +77,15 @@ namespace Biface
 
     /** Whether the body touches the inner face. */
     bool touches_inner_face = false;
-    /** Whether the body moves with the foundation. */
-    bool on_foundation = false;
+    /** Whether the body moves with the ground. */
+    bool on_ground = false;
 
-    /** Whether the body touches the tread, as the foundation does, and not the
+    /** Whether the body touches the tread, as the ground does, and not the
      * shell itself, as a rim does. */
     bool
     touches_tread() const
     {
-      return on_foundation && !touches_inner_face;
+      return on_ground && !touches_inner_face;
     }
 
     /** The coefficient of friction; it must not depend on the slip velocity. */

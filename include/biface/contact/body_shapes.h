@@ -36,17 +36,17 @@ namespace Biface
 
 
   /**
-   * The shape of a rigid body at rest. A foundation, at zero travel, touches
+   * The shape of a rigid body at rest. A ground, at zero travel, touches
    * the point of its line of travel with a normal along the direction of this
    * line.
    */
   class BodyShape
   {
   public:
-    /** The line along which a foundation travels. */
+    /** The line along which a ground travels. */
     struct TravelLine
     {
-      /** The direction from the shell toward the foundation, which travels
+      /** The direction from the shell toward the ground, which travels
        * against it; any nonzero vector. */
       dealii::Tensor<1, 3> direction{{1, 0, 0}};
       dealii::Point<3>     point;
@@ -61,7 +61,7 @@ namespace Biface
     virtual BodyPoint
     evaluate(const dealii::Point<3> &x) const = 0;
 
-    /** The travel until the surface of a foundation touches a point from
+    /** The travel until the surface of a ground touches a point from
      * outside, negative if it must move back. Plus infinity for a point that it
      * misses, minus infinity for a point that is always inside. Must not be
      * called for shapes that are no foundations. Unit: length. */
@@ -117,7 +117,7 @@ namespace Biface
   public:
     struct Parameters
     {
-      /** The radius; it must be set if the foundation is a sphere. */
+      /** The radius; it must be set if the ground is a sphere. */
       std::optional<double> radius;
 
       void
@@ -151,7 +151,7 @@ namespace Biface
   public:
     struct Parameters
     {
-      /** The radius; it must be set if the foundation is a drum. */
+      /** The radius; it must be set if the ground is a drum. */
       std::optional<double> radius;
       dealii::Tensor<1, 3>  axis{{0, 1, 0}};
 

@@ -115,7 +115,7 @@ namespace Biface
     should_be_active(const double multiplier, const double clearance) const
     {
       // any kappa > 0 gives the same result if the multiplier is that of the
-      // clearance. On a curved foundation, the error of a linearized clearance
+      // clearance. On a curved ground, the error of a linearized clearance
       // times the penalty stiffness may be many times the pressure
       return multiplier < 0 || (multiplier == 0 && clearance < 0);
     }

@@ -13,13 +13,13 @@ namespace Biface
    * section 'Contact'. */
   struct ContactLawsOfStage
   {
-    /** The coefficient of friction of the foundation. */
+    /** The coefficient of friction of the ground. */
     std::optional<FrictionCoefficient> friction;
     /** The parameters @f$\varepsilon@f$ of ContactCondition and
      * @f$\varepsilon_t@f$ of FrictionLaw, of all bodies; a tread is in series
      * with them. Unit: pressure/length. */
     std::optional<double> penalty_stiffness, tangential_stiffness;
-    /** Whether the nodes in contact with the foundation at the start of the
+    /** Whether the nodes in contact with the ground at the start of the
      * stage cannot slip. */
     bool glued = false;
   };

@@ -75,7 +75,7 @@ namespace Biface
 
     /** A point of the surface downhill from a point, if one is found. */
     std::optional<dealii::Point<3>>
-    surface_downhill(dealii::Point<3> x) const;
+    surface_along_gradient(dealii::Point<3> x) const;
 
     const Formula formula;
     const double  size;

@@ -30,7 +30,7 @@ namespace Biface
    * Coulomb's law of friction, regularized like the contact condition of
    * @cite GrigolyukKulikovPlotnikova2004, eq. (14.1).
    *
-   * Each node in contact has a stick point on the foundation. With the
+   * Each node in contact has a stick point on the ground. With the
    * tangential part @f$\mathbf s@f$ of the vector from this point to the node,
    * the trial traction is @f$\mathbf q=-\varepsilon_t\mathbf s@f$. The traction
    * on the shell is

@@ -33,7 +33,7 @@ namespace Biface
     start_stage(ContactState &state) const override;
 
     void
-    hold(ContactState &state) const override;
+    stick_all(ContactState &state) const override;
 
     /** Decide whether a node sticks or slips. A node that slips sticks in the
      * next iteration if it has passed its stick point: friction does not

@@ -23,7 +23,7 @@ namespace Biface
 
 
   /**
-   * A rigid body at its present place: a foundation at a given travel, which
+   * A rigid body at its present place: a ground at a given travel, which
    * may also have moved sideways and turned, or another body after its motions.
    * Queries move the point back; the shape itself never moves. Copies share the
    * shape.
@@ -31,7 +31,7 @@ namespace Biface
   class RigidBody
   {
   public:
-    /** The foundation on which the shell is pressed. */
+    /** The ground on which the shell is pressed. */
     struct Parameters
     {
       enum class Shape
@@ -54,7 +54,7 @@ namespace Biface
       check() const;
     };
 
-    /** The foundation at zero travel. Throws InputError if the parameters are
+    /** The ground at zero travel. Throws InputError if the parameters are
      * invalid. */
     explicit RigidBody(const Parameters &parameters);
 
@@ -94,7 +94,7 @@ namespace Biface
     /** The body after a further turn by an angle in radians, right-handed about
      * an axis of unit length through the origin. */
     RigidBody
-    around(const dealii::Tensor<1, 3> &axis, const double angle) const;
+    rotated(const dealii::Tensor<1, 3> &axis, const double angle) const;
 
     /** The body after further motions: their axes slide with the sum of their
      * translations.
@@ -110,7 +110,7 @@ namespace Biface
     /** The body behind a layer that separates it from the shell: its clearances
      * are smaller by this distance. */
     RigidBody
-    behind(const double distance) const
+    offset_by(const double distance) const
     {
       RigidBody result = *this;
       result.distance += distance;
@@ -121,7 +121,7 @@ namespace Biface
     evaluate(const dealii::Point<3> &x) const;
 
     /** The velocity of the point of the body at @p x.
-     * @param travel the rate of the travel of the foundation.
+     * @param travel the rate of the travel of the ground.
      * @param rate_of gives the rate of the factor at a position. */
     dealii::Tensor<1, 3>
     velocity(const dealii::Point<3>                          &x,
@@ -144,7 +144,7 @@ namespace Biface
       const double                                     travel,
       const std::function<double(const unsigned int)> &rate_of) const;
 
-    /** The point of the foundation at rest, before all motions, that is now at
+    /** The point of the ground at rest, before all motions, that is now at
      * @p x. */
     dealii::Point<3>
     at_rest(const dealii::Point<3> &x) const
@@ -152,13 +152,13 @@ namespace Biface
       return back(x) + travel * shape->direction;
     }
 
-    /** The present position of a point of the foundation at rest. */
+    /** The present position of a point of the ground at rest. */
     dealii::Point<3>
     present(const dealii::Point<3> &at_rest) const;
 
     /** Two unit vectors orthogonal to a normal and to each other, which turn
-     * with the foundation. With the normal along the direction of the
-     * foundation they are the axis that is farthest from it, made orthogonal to
+     * with the ground. With the normal along the direction of the
+     * ground they are the axis that is farthest from it, made orthogonal to
      * it, and the cross product of the direction and the first; they are
      * rotated to other normals by the shortest rotation from the direction, or
      * from its opposite if that is closer by far. */
@@ -182,7 +182,7 @@ namespace Biface
       return shape->travel_to(back(x)) - travel;
     }
 
-    /** The present place of the point of the foundation on its line of
+    /** The present place of the point of the ground on its line of
      * travel. */
     dealii::Point<3>
     apex() const
@@ -207,7 +207,7 @@ namespace Biface
     cylinder() const;
 
     /** The unit vector opposite to the direction of travel, which turns with
-     * the foundation. */
+     * the ground. */
     dealii::Tensor<1, 3>
     direction() const
     {
@@ -228,7 +228,7 @@ namespace Biface
     RigidBody
     after(Displacement further) const;
 
-    /** The tangents where the normal is the direction of the foundation. */
+    /** The tangents where the normal is the direction of the ground. */
     std::array<dealii::Tensor<1, 3>, 2>
     tangents_of_direction() const;
 
@@ -256,15 +256,15 @@ namespace Biface
       rate(const double                                     travel,
            const std::function<double(const unsigned int)> &rate_of) const
       {
-        return factor == BodyMotion::travel_of_foundation ? travel
-                                                          : rate_of(factor);
+        return factor == BodyMotion::travel_of_ground ? travel
+                                                      : rate_of(factor);
       }
     };
 
     std::shared_ptr<const BodyShape> shape;
     double                           travel;
     bool                             travels = true;
-    /** The thickness of the layer in front of the body, see behind(). */
+    /** The thickness of the layer in front of the body, see offset_by(). */
     double                      distance = 0;
     std::optional<Displacement> displacement;
     /** The motions of the body, of which the later ones take along the axes of

@@ -53,7 +53,7 @@ namespace Biface
      * speed: that of its surface, for a drum where the line of travel meets it.
      *
      * @param ground no sphere. A drum moves along its circumference, so that it
-     * must have been turned by the slip angle, see on_steered().
+     * must have been turned by the slip angle, see ground_at_slip_angle().
      * @param slip_angle by which the wheel moves to the left of its plane, in
      * radians.
      */
@@ -69,7 +69,7 @@ namespace Biface
    * left of its plane by the slip angle, in radians. A plane remains as it
    * is. */
   RigidBody
-  on_steered(const RigidBody &ground, const double slip_angle);
+  ground_at_slip_angle(const RigidBody &ground, const double slip_angle);
 
 
   /**

@@ -28,7 +28,7 @@ namespace Biface
     BodyPoint at_body;
 
     /** The particle of a rolling shell that passes the node, if it has a
-     * velocity, see FlowLines. */
+     * velocity, see Streamlines. */
     struct Particle
     {
       Rolling rolling;
@@ -114,7 +114,7 @@ namespace Biface
     /** Let the nodes of a copy of an equilibrium stick, to hold them in
      * perturbations of it. */
     virtual void
-    hold(ContactState & /*state*/) const
+    stick_all(ContactState & /*state*/) const
     {}
 
     /** Decide whether an active node on which the law acts sticks or slips,

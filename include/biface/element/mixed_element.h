@@ -277,9 +277,9 @@ namespace Biface
     /** Subtract the second variation of the products of NormalThickness,
      * weighted by resultants, from the rows of the shear strains. */
     void
-    subtract_leaning(const ShearMatrix   &G,
-                     const Modes::Vector &H,
-                     StrainMatrix        &DB) const;
+    subtract_second_variation(const ShearMatrix   &G,
+                              const Modes::Vector &H,
+                              StrainMatrix        &DB) const;
   };
 
 

@@ -94,7 +94,7 @@ namespace Biface
 
     /** Whether all plies are linear. */
     bool
-    empty() const
+    all_linear() const
     {
       return !points && cords.empty();
     }

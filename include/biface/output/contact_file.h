@@ -15,7 +15,7 @@ namespace Biface
     ContactFile(ResultsDirectory &directory, const ShellEquations &equations);
 
     /** A regular expression for the names of the files, also of those for other
-     * bodies than the foundation, which contain their names. */
+     * bodies than the ground, which contain their names. */
     std::string
     names_of_files() const override
     {

@@ -13,7 +13,7 @@ namespace Biface
 
 
   /** forces.csv: the forces and moments on the shell of each of its supports,
-   * of the foundation and of the loads, a line per body and step; see
+   * of the ground and of the loads, a line per body and step; see
    * forces_on_shell(). */
   class ForcesFile : public StepTable
   {

@@ -16,7 +16,7 @@ namespace Biface
 {
   /**
    * What an engineer checks before results are used: whether the force on the
-   * foundation is plausible, whether the mesh resolves the footprint, and
+   * ground is plausible, whether the mesh resolves the footprint, and
    * whether penetration and errors of the mesh are small beside the results.
    */
   class ResultsCheck
@@ -40,7 +40,7 @@ namespace Biface
     std::vector<std::string>
     add(const StepReport &report, const State &state);
 
-    /** The figures of the last step in two lines: the force on the foundation
+    /** The figures of the last step in two lines: the force on the ground
      * beside the pressure on the footprint, with the cells in the footprint, or
      * without contact the largest reaction beside the loads; then penetration,
      * balance of forces and error of the interpolation. Empty without steps. */

@@ -9,7 +9,7 @@
 
 namespace Biface
 {
-  /** stiffness.csv: a line for each step in which the foundation moves in one
+  /** stiffness.csv: a line for each step in which the ground moves in one
    * way while all other loads rest, with the secant and tangent stiffness; see
    * StepStiffness. */
   class StiffnessFile : public StepTable

@@ -105,7 +105,7 @@ namespace Biface
     check() const;
 
     /** Warnings about input that is valid but probably unintended: loads that
-     * no stage applies, symmetry supports with angle plies, and a foundation
+     * no stage applies, symmetry supports with angle plies, and a ground
      * that would travel beyond an edge that is held. */
     std::vector<std::string>
     warnings() const;
@@ -153,7 +153,7 @@ namespace Biface
     void
     check_bodies() const;
 
-    /** A warning if the foundation would travel beyond an edge that is held;
+    /** A warning if the ground would travel beyond an edge that is held;
      * empty otherwise. */
     std::string
     travel_beyond_supports() const;

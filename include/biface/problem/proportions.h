@@ -9,7 +9,7 @@
 namespace Biface
 {
   /**
-   * Check the foundation and its motion against the size of the shell, its
+   * Check the ground and its motion against the size of the shell, its
    * cells and its velocity: the radius of a drum or sphere, the travel, and the
    * critical velocity of friction.
    *

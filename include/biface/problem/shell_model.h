@@ -31,7 +31,7 @@ namespace Biface
   with_other_plies(const ShellMesh &mesh, const Parameters &parameters);
 
 
-  /** Everything that acts in an analysis: the shell, its foundation, its loads
+  /** Everything that acts in an analysis: the shell, its ground, its loads
    * and its gas. */
   struct ShellModel
   {

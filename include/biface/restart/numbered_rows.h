@@ -66,13 +66,13 @@ namespace Biface
 
   /** The numbers of the nodes that this rank owns. */
   std::vector<std::uint64_t>
-  numbers_of_owned_nodes(const ShellMesh &mesh);
+  owned_node_numbers(const ShellMesh &mesh);
 
   std::vector<std::uint64_t>
-  numbers_of_nodes(const ShellMesh &mesh);
+  node_numbers(const ShellMesh &mesh);
 
   std::vector<std::uint64_t>
-  numbers_of_cells(const ShellMesh &mesh);
+  cell_numbers(const ShellMesh &mesh);
 
   /** A vector of the locally owned entries, from rows of owned nodes. */
   LA::Vector

@@ -72,7 +72,7 @@ namespace Biface
 
   /**
    * The active set in the iterations of a step. If it is cycling, the nodes
-   * that toggle are no longer glued: glue may lift a node off the foundation to
+   * that toggle are no longer glued: glue may lift a node off the ground to
    * which the node returns without it, so that no active set is a solution. If
    * none of them is glued, they are held in contact until the iteration has
    * converged with them; then they are released. A second cycle of these is a

@@ -12,7 +12,7 @@
 #include <biface/base/linear_algebra.h>
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/mesh/wave_numbers.h>
-#include <biface/solver/held_tangent.h>
+#include <biface/solver/fixed_contact_tangent.h>
 #include <biface/solver/linear/eigenpairs.h>
 #include <biface/solver/linear/linear_solver.h>
 
@@ -52,7 +52,7 @@ namespace Biface
     /** The reason of a failure, as part of a sentence. */
     std::string message;
     /** The rigid motions that nothing holds, which the shapes do not contain:
-     * see HeldTangent::free_motions(). */
+     * see FixedContactTangent::free_motions(). */
     std::vector<std::string> free_motions;
     /** The modes in ascending order of their positions. */
     std::vector<BucklingMode> modes;
@@ -65,10 +65,10 @@ namespace Biface
    * lowest @f$s>0@f$ with
    * @f$(\mathbf K_0-s\,\mathbf G)\boldsymbol\varphi=\mathbf 0@f$,
    * @f$\mathbf G=\mathbf K_0-\mathbf K_1@f$, where @f$\mathbf K_1@f$ is the
-   * tangent of the equilibrium, see HeldTangent, and @f$\mathbf K_0@f$ that for
-   * the same displacements with the resultants and the loads before. The
-   * tangent is linear in these, so that the line through both has no error but
-   * that of frozen displacements. In linear strain theory, these are the
+   * tangent of the equilibrium, see FixedContactTangent, and @f$\mathbf K_0@f$
+   * that for the same displacements with the resultants and the loads before.
+   * The tangent is linear in these, so that the line through both has no error
+   * but that of frozen displacements. In linear strain theory, these are the
    * displacements about which the strains are linearized.
    *
    * Loads that follow from the displacements, such as the pressure of a sealed
@@ -242,7 +242,7 @@ namespace Biface
     ShellEquations      &equations;
     LinearSolver        &linear_solver;
     dealii::TimerOutput &timer;
-    HeldTangent          tangent;
+    FixedContactTangent  tangent;
     /** Arbitrary displacements, the start of the iterations for eigenvalues. */
     const LA::Vector        start;
     std::vector<LA::Vector> fields;

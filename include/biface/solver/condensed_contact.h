@@ -13,7 +13,7 @@
 
 #include <biface/base/linear_algebra.h>
 #include <biface/contact/active_set.h>
-#include <biface/model/contact/unit_multipliers.h>
+#include <biface/model/contact/contact_constraints.h>
 #include <biface/model/equations/equation_system.h>
 #include <biface/solver/linear/linear_solver.h>
 
@@ -25,7 +25,7 @@ namespace Biface
    *
    * With the forces @f$\mathbf A@f$ of unit multipliers at the points and the
    * gradients @f$\mathbf G@f$ of their motions into the bodies, see
-   * UnitMultiplier, the tangent with these points in contact is
+   * ContactConstraint, the tangent with these points in contact is
    * @f$\mathbf K+\mathbf A\varepsilon\mathbf G^T@f$. The multipliers satisfy
    * @f[
    *   (\mathbf C+\mathbf I/\varepsilon)\,\boldsymbol\lambda =

@@ -29,7 +29,7 @@ namespace Biface
     LowRankStiffness() = default;
 
     /** The part at an equilibrium.
-     * @param state, loads an equilibrium; its foundation does not matter. */
+     * @param state, loads an equilibrium; its ground does not matter. */
     LowRankStiffness(const EquationSystem &equations,
                      const State          &state,
                      const Loads          &loads);

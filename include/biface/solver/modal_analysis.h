@@ -15,7 +15,7 @@
 #include <biface/model/equations/mass_matrix.h>
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/mesh/wave_numbers.h>
-#include <biface/solver/held_tangent.h>
+#include <biface/solver/fixed_contact_tangent.h>
 #include <biface/solver/linear/eigenpairs.h>
 #include <biface/solver/linear/linear_solver.h>
 
@@ -102,7 +102,7 @@ namespace Biface
      * if the shell rolls or spins. */
     std::vector<VibrationMode> modes;
     /** The rigid motions that nothing resists, whose frequency is zero: see
-     * HeldTangent::neutral_motions(). */
+     * FixedContactTangent::neutral_motions(). */
     std::vector<std::string> neutral_motions;
     /** The mass of the whole shell. */
     double total_mass = 0;
@@ -120,7 +120,7 @@ namespace Biface
    * @f$\mathbf K@f$ is the tangent of the equilibrium: with the prestress, the
    * loads that follow the shell and the gas sealed in it. It is not symmetric
    * if these are not conservative. The nodes in contact are held, see
-   * HeldTangent.
+   * FixedContactTangent.
    *
    * A shell that rolls or spins vibrates in the frame of its axle with
    * @f$(\mathbf K+i\omega\mathbf G-\omega^2\mathbf M)
@@ -214,7 +214,7 @@ namespace Biface
     const ContactInteraction &contact;
     LinearSolver             &linear_solver;
     dealii::TimerOutput      &timer;
-    HeldTangent               tangent;
+    FixedContactTangent       tangent;
     const MassMatrix          mass;
 
     /** The fields by which settle() chooses modes: the inertia

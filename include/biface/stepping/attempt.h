@@ -47,7 +47,7 @@ namespace Biface
 
 
   /** Attempt a step by Newton's method.
-   * @param laws those of the foundation in place of those of the stage. */
+   * @param laws those of the ground in place of those of the stage. */
   Attempt
   attempt_step(Newton               &newton,
                const StageRun       &run,

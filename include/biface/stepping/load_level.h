@@ -10,7 +10,7 @@
 
 namespace Biface
 {
-  /** Loads, motions of the foundation, and how a wheel rolls: a @p Value of
+  /** Loads, motions of the ground, and how a wheel rolls: a @p Value of
    * each, such as std::optional of what a stage prescribes. All functions for
    * all of them use the lists for_each_motion() and for_each_load(). */
   template <template <class> class Value>
@@ -21,17 +21,17 @@ namespace Biface
      * supports, see Loads::factors. */
     std::vector<Value<double>> factors = std::vector<Value<double>>(1);
 
-    /** The travel since the foundation first touched the shell. */
+    /** The travel since the ground first touched the shell. */
     Value<double> travel{};
-    /** The slide and the turn of the foundation, see RigidBody::displaced();
+    /** The slide and the turn of the ground, see RigidBody::displaced();
      * the turn is in degrees. */
     Value<dealii::Tensor<1, 3>> slide{};
     Value<double>               turn{};
-    /** The angle by which the wheel has turned on the foundation, in degrees,
-     * see RigidBody::around(). */
+    /** The angle by which the wheel has turned on the ground, in degrees,
+     * see RigidBody::rotated(). */
     Value<double> wheel_turn{};
     /** The inclination angle of the wheel of ISO 8855, in degrees: the
-     * foundation leans the other way. */
+     * ground leans the other way. */
     Value<double> inclination_angle{};
 
     /** The motion of a rolling wheel, see Rolling; the slip angle is in
@@ -51,7 +51,7 @@ namespace Biface
   };
 
 
-  /** Call a function for each motion of the foundation, with those of all the
+  /** Call a function for each motion of the ground, with those of all the
    * given objects. */
   template <class Function, class... Levels>
   void
@@ -133,21 +133,21 @@ namespace Biface
 
   /** The values of all loads and of the components of all motions. */
   std::vector<double>
-  numbers_of(const LoadLevel &level);
+  load_components(const LoadLevel &level);
 
   /** The part of the change of the loads from start to end that a level has
    * reached, by the first load that changes; NaN if none does. */
   double
-  part_of_loads(const LoadLevel &start,
+  load_fraction(const LoadLevel &start,
                 const LoadLevel &reached,
                 const LoadLevel &end);
 
   /** The loads on the straight line through two levels: 0 for the first, 1 for
    * the second. */
   LoadLevel
-  loads_on_line(const LoadLevel &first,
-                const LoadLevel &second,
-                const double     position);
+  interpolated_loads(const LoadLevel &first,
+                     const LoadLevel &second,
+                     const double     position);
 
   /** The changes of the load factors between two levels. */
   std::vector<double>

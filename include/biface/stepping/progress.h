@@ -11,9 +11,9 @@
 
 #include <biface/model/quantities/work.h>
 #include <biface/stepping/controls/control.h>
-#include <biface/stepping/foundation_stiffness.h>
 #include <biface/stepping/secant_predictor.h>
 #include <biface/stepping/stage.h>
+#include <biface/stepping/stiffness_against_ground.h>
 
 namespace Biface
 {
@@ -30,13 +30,13 @@ namespace Biface
     bool         stage_begun = false;
     /** The loads of the last converged step. */
     LoadLevel reached;
-    /** The travel at which the foundation touches the shell at the start of the
+    /** The travel at which the ground touches the shell at the start of the
      * first stage with contact, or of the first one after a prestress, see
-     * ContactPair::touching_travel(). */
-    std::optional<double> touching_travel;
-    /** The point of the shell that the foundation touches first, at the same
-     * time as the touching travel, see ContactPair::touched_point(). */
-    dealii::Point<3> touched_point;
+     * ContactPair::travel_at_first_contact(). */
+    std::optional<double> travel_at_first_contact;
+    /** The point of the shell that the ground touches first, at the same
+     * time as the touching travel, see ContactPair::first_contact_point(). */
+    dealii::Point<3> first_contact_point;
     /** The load factors in the shape from which displacements count: 0, or
      * those at the start of the last stage from a prestress. Prescribed
      * displacements are proportional to what exceeds them. */
@@ -46,9 +46,9 @@ namespace Biface
      * prestress. */
     Work work;
 
-    /** The forces and moments that the foundation exerts now, and at the start
-     * of the stage; not set if there was no foundation. */
-    std::optional<FoundationReaction> reaction, first_reaction;
+    /** The forces and moments that the ground exerts now, and at the start
+     * of the stage; not set if there was no ground. */
+    std::optional<GroundReaction> reaction, first_reaction;
 
     /** The rolling radius at the end of the last stage that ended in free
      * rolling, see Biface::free_rolling_radius(). */
@@ -117,8 +117,8 @@ namespace Biface
     serialize(Archive &archive, const unsigned int)
     {
       archive &n_steps &stage &stage_begun &reached;
-      serialize_optional(archive, touching_travel);
-      archive &touched_point &factors_of_shape &work;
+      serialize_optional(archive, travel_at_first_contact);
+      archive &first_contact_point &factors_of_shape &work;
       serialize_optional(archive, reaction);
       serialize_optional(archive, first_reaction);
       serialize_optional(archive, free_rolling_radius);

@@ -14,7 +14,7 @@ namespace Biface
 {
   /**
    * Predicts a step by extrapolating displacements, resultants and unknown
-   * load parameters, such as the travel of the foundation, from the last step
+   * load parameters, such as the travel of the ground, from the last step
    * in proportion to the loads. The active set follows from displacements and
    * travel.
    */

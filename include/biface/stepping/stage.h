@@ -76,9 +76,9 @@ namespace Biface
               false};
     }
 
-    /** Whether the stage has a foundation that may move. */
+    /** Whether the stage has a ground that may move. */
     bool
-    moves_foundation() const
+    moves_ground() const
     {
       bool moves = prescribes_force();
       for_each_motion([&moves](const auto &motion) { moves = moves || motion; },

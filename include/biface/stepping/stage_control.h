@@ -21,9 +21,9 @@ namespace Biface
     load,
     displacement,
     arc_length,
-    foundation_force,
+    ground_force,
     axle_moment,
-    foundation_force_and_axle_moment
+    ground_force_and_axle_moment
   };
 
   /** The names of the controls in parameter files, in the order of
@@ -66,7 +66,7 @@ namespace Biface
     std::string control_point;
     Component   control_component = Component::x;
     double      control_value     = 0;
-    /** The force on the foundation at the end of the stage, if prescribed. */
+    /** The force on the ground at the end of the stage, if prescribed. */
     double force = 0;
     /** The moment of the axle on the wheel at the end of the stage, if
      * prescribed. */
@@ -84,20 +84,20 @@ namespace Biface
     bool
     prescribes_force() const
     {
-      return control == ControlKind::foundation_force ||
-             control == ControlKind::foundation_force_and_axle_moment;
+      return control == ControlKind::ground_force ||
+             control == ControlKind::ground_force_and_axle_moment;
     }
 
     bool
     prescribes_axle_moment() const
     {
       return control == ControlKind::axle_moment ||
-             control == ControlKind::foundation_force_and_axle_moment;
+             control == ControlKind::ground_force_and_axle_moment;
     }
 
     /** Whether the wheel rolls freely at the end of the stage. */
     bool
-    ends_rolling_freely() const
+    ends_free_rolling() const
     {
       return prescribes_axle_moment() && axle_moment == 0;
     }

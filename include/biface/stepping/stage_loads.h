@@ -72,12 +72,12 @@ namespace Biface
     /** The viscous damping, a force per area against a motion of 1 over the
      * whole stage, see ViscousDamping. Unit: force/volume. */
     double damping = 0;
-    /** Whether there is a foundation. */
+    /** Whether there is a ground. */
     bool contact = false;
     /** The slip ratio at the end of the stage, given instead of the angular
      * velocity, see with_angular_velocity(). */
     std::optional<double> slip_ratio;
-    /** The names of the bodies that are there beside the foundation. */
+    /** The names of the bodies that are there beside the ground. */
     std::vector<std::string> bodies;
     /** The laws of contact of the stage, where they are not those of the
      * section 'Contact'. */
@@ -109,7 +109,7 @@ namespace Biface
     void
     check(const std::string &section) const;
 
-    /** Check that the foundation slides across its direction of travel. Throws
+    /** Check that the ground slides across its direction of travel. Throws
      * InputError. */
     void
     check_slide(const std::string          &section,

@@ -39,7 +39,7 @@ namespace Biface
 
     /**
      * Start the stage: return to the undeformed shape if it starts from a
-     * prestress, find where the foundation touches, glue the nodes in contact,
+     * prestress, find where the ground touches, glue the nodes in contact,
      * set the strain theory, and let force terms and control start.
      *
      * @return what is out of balance in a start from a prestress.
@@ -54,7 +54,7 @@ namespace Biface
       return loads_at(level, laws);
     }
 
-    /** The loads at a level, with other laws of the foundation.
+    /** The loads at a level, with other laws of the ground.
      *
      * Where the penalty stiffness of a stage differs from that of the stage
      * before, its inverse changes evenly between both, and with it the
@@ -98,7 +98,7 @@ namespace Biface
     const std::unique_ptr<Control> control;
     /** Whether the shell rolls in the stage, see Stage::rolls(). */
     const bool rolls;
-    /** The laws of the foundation, if there is one, at the end of the stage. */
+    /** The laws of the ground, if there is one, at the end of the stage. */
     const ContactLaws laws;
     /** The laws of the bodies that are there, by ContactPair::number. */
     const std::map<unsigned int, ContactLaws> laws_of_bodies;
@@ -110,12 +110,12 @@ namespace Biface
              const unsigned int number,
              const ContactLaws &at_end) const;
 
-    /** The place of the foundation, or of a body on it, after the motions of
-     * the foundation.
+    /** The place of the ground, or of a body on it, after the motions of
+     * the ground.
      * @param body after its travel or its own motions.
      * @param travel what is left of the travel. */
     RigidBody
-    with_foundation(const RigidBody &body, const LoadLevel &level) const;
+    with_ground(const RigidBody &body, const LoadLevel &level) const;
 
     /** Throws InputError if the shell is deep in a body. */
     void

@@ -17,8 +17,8 @@
 #include <biface/model/quantities/forces_on_shell.h>
 #include <biface/model/quantities/rolling_summary.h>
 #include <biface/model/quantities/work.h>
-#include <biface/stepping/foundation_stiffness.h>
 #include <biface/stepping/stage.h>
+#include <biface/stepping/stiffness_against_ground.h>
 
 namespace Biface
 {
@@ -28,7 +28,7 @@ namespace Biface
   struct VibrationModes;
 
 
-  /** The contact and the motion of a body, other than the foundation, after a
+  /** The contact and the motion of a body, other than the ground, after a
    * step. */
   struct BodyReport
   {
@@ -47,13 +47,13 @@ namespace Biface
     unsigned int step = 0;
     /** The instant at the end of the step. */
     Instant instant;
-    /** The name of the stage, and whether it has a foundation. */
+    /** The name of the stage, and whether it has a ground. */
     std::string                  stage;
     bool                         in_contact = false;
     std::shared_ptr<const Loads> loads;
     /** The controlled quantity, if not a load, in words, and its value. */
     std::optional<std::pair<std::string, double>> controlled;
-    /** All loads and motions reached; motions of the foundation are zero
+    /** All loads and motions reached; motions of the ground are zero
      * without one. */
     LoadLevel level;
     /** The forces and powers of a wheel that rolls over the ground; not set
@@ -73,13 +73,13 @@ namespace Biface
     Work           work;
     ContactSummary contact;
     Footprint      footprint;
-    /** The bodies that are there beside the foundation, by name. */
+    /** The bodies that are there beside the ground, by name. */
     std::map<std::string, BodyReport> bodies;
     /** The forces on the nodes. */
     std::shared_ptr<const NodalForces> forces;
     /** The resultants of the forces on the nodes, see forces_on_shell(). */
     std::vector<ForceOnShell> forces_of_bodies;
-    /** The stiffness against the motion of the foundation, if that alone has
+    /** The stiffness against the motion of the ground, if that alone has
      * moved, in one way, since the start of the stage. */
     std::optional<StepStiffness> stiffness;
     unsigned int                 iterations = 0;

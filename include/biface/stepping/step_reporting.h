@@ -17,7 +17,7 @@ namespace Biface
 
 
   /** The report of the last converged step, without the results of the
-   * iteration and of analyses. Records the reaction of the foundation in the
+   * iteration and of analyses. Records the reaction of the ground in the
    * progress.
    * @param forces those on the nodes. */
   StepReport

@@ -24,7 +24,7 @@ namespace Biface
     end_step(const StageRun &run, StepReport &report) override;
 
   private:
-    /** Warn of supported nodes that the foundation has passed through. */
+    /** Warn of supported nodes that the ground has passed through. */
     void
     warn_of_pierced_nodes(const StageRun &run, const Loads &loads);
 
@@ -38,7 +38,7 @@ namespace Biface
     void
     warn_of_steep_sides(const StageRun &run, const StepReport &report);
 
-    /** Warn of a convex foundation on whose far side nodes are. */
+    /** Warn of a convex ground on whose far side nodes are. */
     void
     warn_of_pull(const StageRun &run, const StepReport &report);
 

@@ -38,7 +38,7 @@ namespace Biface
                     const std::optional<double> &before);
 
   /** The motion of a wheel as the log announces it: the angle by which it has
-   * turned on the foundation and, if it rolls, its velocities. */
+   * turned on the ground and, if it rolls, its velocities. */
   std::string
   describe_wheel_motion(const LoadLevel &level, const bool rolls);
 } // namespace Biface

@@ -37,12 +37,12 @@ namespace Biface
 
 
   double
-  touching_travel(const ContactPair &pair, const State &state)
+  travel_at_first_contact(const ContactPair &pair, const State &state)
   {
     const double travel =
       minimum_travel(pair, state, pair.moving_body.at_rest());
     if (travel == std::numeric_limits<double>::infinity())
-      throw InputError("the foundation of the section 'Contact' misses the "
+      throw InputError("the ground of the section 'Contact' misses the "
                        "shell; its path must meet a node.");
 
     // the shell may not fit into a hollow body
@@ -54,16 +54,16 @@ namespace Biface
                touching.clearance(pair.points.position(state.displacement, n)) >
                  -1e-9 * pair.mesh.size();
     if (Utilities::MPI::logical_or(!fits, pair.mesh.communicator))
-      throw InputError("the shell does not fit into the hollow foundation of "
+      throw InputError("the shell does not fit into the hollow ground of "
                        "the section 'Contact'.");
     return travel;
   }
 
 
   Point<3>
-  touched_point(const ContactPair &pair,
-                const State       &state,
-                const double       touching_travel)
+  first_contact_point(const ContactPair &pair,
+                      const State       &state,
+                      const double       travel_at_first_contact)
   {
     // nodes that would touch together but for round-off
     const double tolerance = 1e-6 * pair.mesh.thickness();
@@ -75,7 +75,7 @@ namespace Biface
           continue;
         const Point<3> x = pair.points.position(state.displacement, n);
         if (pair.moving_body.at_rest().travel_to(x) >
-            touching_travel + tolerance)
+            travel_at_first_contact + tolerance)
           continue;
         for (unsigned int i = 0; i < 3; ++i)
           sums[i] += x[i];
@@ -112,7 +112,9 @@ namespace Biface
 
 
   double
-  steepest_side(const ContactPair &pair, const State &state, const Loads &loads)
+  largest_angle_of_normals(const ContactPair &pair,
+                           const State       &state,
+                           const Loads       &loads)
   {
     double lowest_cosine = 1;
     for (unsigned int n = 0; pair.body(loads) && n < pair.points.size(); ++n)
@@ -198,11 +200,11 @@ namespace Biface
 
 
   double
-  way_to_shell(const ContactPair &pair,
-               const State       &state,
-               const Loads       &loads,
-               const LoadRates   &direction,
-               const double       depth)
+  distance_to_contact(const ContactPair &pair,
+                      const State       &state,
+                      const Loads       &loads,
+                      const LoadRates   &direction,
+                      const double       depth)
   {
     // the sine of the angle to the surface
     constexpr double glancing = 1e-3;

@@ -15,7 +15,7 @@ namespace Biface
   using namespace dealii;
 
   BristleLines::BristleLines(const ShellMesh       &mesh,
-                             const FlowLines       &flow_lines,
+                             const Streamlines     &streamlines,
                              const Resultants::Face face,
                              const State           &state,
                              const ContactState    &zone,
@@ -25,7 +25,7 @@ namespace Biface
   {
     std::map<unsigned int, std::map<unsigned int, LineNode>> by_line;
     for (const std::vector<LineNode> &of_rank :
-         gather_on_all(mesh.communicator, own_nodes(flow_lines, state, zone)))
+         gather_on_all(mesh.communicator, own_nodes(streamlines, state, zone)))
       for (const LineNode &node : of_rank)
         {
           auto      &of_line  = by_line[node.line];
@@ -57,7 +57,7 @@ namespace Biface
 
 
   std::vector<BristleLines::LineNode>
-  BristleLines::own_nodes(const FlowLines    &flow_lines,
+  BristleLines::own_nodes(const Streamlines  &streamlines,
                           const State        &state,
                           const ContactState &zone) const
   {
@@ -74,7 +74,7 @@ namespace Biface
         // the clearance of the node before the first one in contact tells where
         // on the segment contact begins
         const Node &node    = mesh.nodes[n];
-        const auto &stencil = flow_lines.at(n);
+        const auto &stencil = streamlines.at(n);
         bool        is_near = zone.active[n];
         if (node.locally_owned && stencil)
           for (const unsigned int neighbor : stencil->neighbors)

@@ -92,7 +92,7 @@ namespace Biface
                               MixedElement::NodalMatrix &K) const
   {
     const ShellMesh &mesh    = contact.mesh;
-    const auto      &stencil = contact.flow_lines.at(cell.nodes[s]);
+    const auto      &stencil = contact.streamlines.at(cell.nodes[s]);
     if (!stencil)
       return;
     const unsigned int r    = s ^ 2;

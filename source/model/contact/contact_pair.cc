@@ -27,7 +27,7 @@ namespace Biface
     , mortar_matrix(parameters.condition.mortar_matrix)
     , points(mesh, face, parameters.condition.points_per_side, mortar_matrix)
     , moving_body(RigidBody(parameters.body), tread)
-    , flow_lines(mesh)
+    , streamlines(mesh)
     , condition_parameters(parameters.condition)
     , friction_parameters(parameters.friction)
   {}
@@ -57,7 +57,7 @@ namespace Biface
     , mortar_matrix(ground.condition.mortar_matrix)
     , points(mesh, face, ground.condition.points_per_side, mortar_matrix)
     , moving_body(body, tread)
-    , flow_lines(mesh)
+    , streamlines(mesh)
     , condition_parameters(ground.condition)
     , friction_parameters(with_coefficient(ground.friction, body.friction))
   {}
@@ -140,7 +140,7 @@ namespace Biface
     if (!placed || !placed->laws.bristles() || !loads.rolling)
       return {};
     return BristleLines(
-      mesh, flow_lines, face, state, state_of(state), *placed, *loads.rolling);
+      mesh, streamlines, face, state, state_of(state), *placed, *loads.rolling);
   }
 
 
@@ -173,7 +173,7 @@ namespace Biface
     PointInContact   at{point, x, body, body.evaluate(x)};
     if (!loads.rolling || !points.at_nodes())
       return at;
-    if (const auto &stencil = flow_lines.at(point))
+    if (const auto &stencil = streamlines.at(point))
       {
         const double per_neighbor = stencil->per_neighbor();
         at.particle               = {

@@ -9,12 +9,12 @@ namespace Biface
   using namespace dealii;
 
   RigidBody
-  MovingBody::taken_along(const RigidBody &on_this, const double travel) const
+  MovingBody::carried_by(const RigidBody &on_this, const double travel) const
   {
     // the ground itself is below the tread
     BodyMotion motion;
     motion.translation = -body.direction();
-    motion.factor      = BodyMotion::travel_of_foundation;
+    motion.factor      = BodyMotion::travel_of_ground;
     const double moved = travel - tread_height;
     return on_this.after_motions(
       {motion},
@@ -27,7 +27,7 @@ namespace Biface
   RigidBody
   MovingBody::after_motions(
     const std::vector<double>                         &factors,
-    const std::function<RigidBody(const RigidBody &)> &with_foundation) const
+    const std::function<RigidBody(const RigidBody &)> &with_ground) const
   {
     Assert(other, ExcInternalError());
     const RigidBody moved = body.after_motions(
@@ -35,6 +35,6 @@ namespace Biface
       [&](const unsigned int position) { return factor_at(factors, position); },
       other->axis / other->axis.norm(),
       other->point);
-    return is_on_foundation() ? with_foundation(moved) : moved;
+    return is_on_ground() ? with_ground(moved) : moved;
   }
 } // namespace Biface

@@ -267,7 +267,7 @@ namespace Biface
     ForceTerm::CellForces forces;
     for (const unsigned int c : mesh.walls)
       for (unsigned int t = n_linearized; t < terms.size(); ++t)
-        if (terms[t]->source() == ForceTerm::Source::foundation &&
+        if (terms[t]->source() == ForceTerm::Source::ground &&
             terms[t]->acts_on(c, state, loads))
           {
             forces.clear();
@@ -284,7 +284,8 @@ namespace Biface
 
 
   LA::Vector
-  ShellEquations::out_of_balance(const State &state, const Loads &loads) const
+  ShellEquations::out_of_balance_forces(const State &state,
+                                        const Loads &loads) const
   {
     return balance(state, loads).sum;
   }
@@ -331,7 +332,7 @@ namespace Biface
   ShellEquations::has_unsymmetric_contact(const Loads &loads) const
   {
     return std::any_of(terms.begin(), terms.end(), [&](const ForceTerm *term) {
-      return term->source() == ForceTerm::Source::foundation &&
+      return term->source() == ForceTerm::Source::ground &&
              !term->is_symmetric(loads);
     });
   }

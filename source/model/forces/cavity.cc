@@ -97,7 +97,7 @@ namespace Biface
   {
     double sum = 0;
     for (const Cell &cell : mesh.wall_elements())
-      sum += swept(cell, mesh.cell_values(state.displacement, cell));
+      sum += swept_volume(cell, mesh.cell_values(state.displacement, cell));
     return undeformed + Utilities::MPI::sum(sum, mesh.communicator) +
            of_planes * owned_part(state.displacement);
   }
@@ -110,7 +110,8 @@ namespace Biface
     for (const Cell &cell : mesh.wall_elements())
       {
         MixedElement::NodalVector of_cell;
-        swept(cell, mesh.cell_values(state.displacement, cell), &of_cell);
+        swept_volume(
+          cell, mesh.cell_values(state.displacement, cell), &of_cell);
         mesh.add_nodal_forces(cell, of_cell, gradient);
       }
     gradient.compress(VectorOperation::add);
@@ -134,9 +135,9 @@ namespace Biface
 
 
   double
-  Cavity::swept(const Cell                      &cell,
-                const MixedElement::NodalVector &V,
-                MixedElement::NodalVector       *gradient) const
+  Cavity::swept_volume(const Cell                      &cell,
+                       const MixedElement::NodalVector &V,
+                       MixedElement::NodalVector       *gradient) const
   {
     MixedElement::NodalVector mean;
     MixedElement::NodalMatrix derivative;

@@ -242,7 +242,7 @@ namespace Biface
                       force,
                       share,
                       inner == outer
-                        ? node.spread()
+                        ? node.thickness_weights()
                         : std::vector<double>(node.n_layers(), outer - inner),
                       nodal_forces);
     }

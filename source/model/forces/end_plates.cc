@@ -54,7 +54,7 @@ namespace Biface
             for (unsigned int i = 0; i < 3; ++i)
               {
                 std::vector<double> values{force[i]};
-                for (const double part : node.spread())
+                for (const double part : node.thickness_weights())
                   values.push_back(part * force[i]);
                 const auto *first = &node.dofs[node.position(i, 0)];
                 result.add(std::vector<types::global_dof_index>(

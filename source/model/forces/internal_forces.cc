@@ -19,7 +19,7 @@ namespace Biface
 
   InternalForces::InternalForces(const ShellMesh &mesh)
     : mesh(mesh)
-    , flow(mesh, nonlinear)
+    , transport(mesh, nonlinear)
     , symmetric_stiffness(mesh.strips[0].laminate.is_symmetric())
   {
     for (const Strip &strip : mesh.strips)
@@ -138,7 +138,7 @@ namespace Biface
     const MixedElement element(at.cell.geometry, at.V);
     Modes::Vector      E = strains_of(element, at.index);
     Modes::Vector      H = resultants_of(at.state, at.index, E);
-    if (!nonlinear_plies(at.cell).empty())
+    if (!nonlinear_plies(at.cell).all_linear())
       {
         const Modes::Vector dE = element.strain_variation(dV);
         E += dE;
@@ -162,7 +162,7 @@ namespace Biface
     const Cell           &cell   = mesh.cells[c];
     const Modes::Vector   linear = stiffness_of(cell).resultants(E);
     const NonlinearPlies &plies  = nonlinear_plies(cell);
-    if (plies.empty())
+    if (plies.all_linear())
       return linear;
     if (!state.prestress)
       return linear + plies.resultants(E, history(state, c));
@@ -180,7 +180,7 @@ namespace Biface
     const double linear =
       Modes::mean_product(stiffness_of(cell).resultants(E), E) / 2;
     const NonlinearPlies &plies = nonlinear_plies(cell);
-    if (plies.empty())
+    if (plies.all_linear())
       return linear;
     const Modes::Vector E_0 = initial_strain(state, c);
     return linear + (plies.energy(E_0 + E) - plies.energy(E_0) -
@@ -225,7 +225,7 @@ namespace Biface
                 total_strains(after, c), history(after, c), &internal(c, 0));
       }
     after.time_step = TimeStep();
-    after.flow.reset();
+    after.transport_velocity.reset();
   }
 
 
@@ -235,8 +235,8 @@ namespace Biface
     const auto found = state.terms.find("relaxation");
     if (!loads.rolling || found == state.terms.end())
       return {};
-    state.flow = loads.rolling->angular_velocity;
-    return flow.set_internal_variables(
+    state.transport_velocity = loads.rolling->angular_velocity;
+    return transport.set_internal_variables(
       [&](const unsigned int c) { return total_strains(state, c); },
       state,
       found->second.at_cells);
@@ -246,9 +246,9 @@ namespace Biface
   std::unique_ptr<const NonlocalStiffness>
   InternalForces::nonlocal_stiffness(const State &state) const
   {
-    if (!state.flow)
+    if (!state.transport_velocity)
       return nullptr;
-    return flow.stiffness(
+    return transport.stiffness(
       [&](const unsigned int c) { return total_strains(state, c); },
       state,
       state.terms.at("relaxation").at_cells);
@@ -260,11 +260,11 @@ namespace Biface
                          const double angular_velocity) const
   {
     Table<2, double> internal = state.terms.at("relaxation").at_cells;
-    if (state.flow)
+    if (state.transport_velocity)
       for (const unsigned int c : mesh.layers)
         nonlinear_plies(mesh.cells[c])
           .commit(total_strains(state, c), history(state, c), &internal(c, 0));
-    return flow.losses(
+    return transport.losses(
       [&](const unsigned int c) { return total_strains(state, c); },
       internal,
       angular_velocity);
@@ -277,7 +277,7 @@ namespace Biface
     const auto found = state.terms.find("relaxation");
     if (found == state.terms.end() || found->second.at_cells.size(1) == 0)
       return {};
-    return flow.history(state, found->second.at_cells, c);
+    return transport.history(state, found->second.at_cells, c);
   }
 
 
@@ -286,7 +286,7 @@ namespace Biface
   {
     return std::any_of(nonlinear.begin(),
                        nonlinear.end(),
-                       [](const auto &plies) { return !plies.empty(); });
+                       [](const auto &plies) { return !plies.all_linear(); });
   }
 
 
@@ -299,10 +299,10 @@ namespace Biface
     const Modes::Vector       H     = total_resultants(at.state, at.index);
     const NonlinearPlies     &plies = nonlinear_plies(at.cell);
     NonlinearPlies::Stiffness added;
-    const bool                any =
-      !plies.empty() && plies.stiffness(initial_strain(at.state, at.index) + E,
-                                        added,
-                                        history(at.state, at.index));
+    const bool                any = !plies.all_linear() &&
+                     plies.stiffness(initial_strain(at.state, at.index) + E,
+                                     added,
+                                     history(at.state, at.index));
     element.add_tangent(
       stiffness_of(at.cell), H, forces.tangent, any ? &added : nullptr);
   }
@@ -591,7 +591,7 @@ namespace Biface
         add(at, forces);
         energy += strain_energy(base, c, V_0) - forces.force * dV +
                   linear_tangent_product(at, dV) * dV / 2;
-        if (nonlinear_plies(cell).empty())
+        if (nonlinear_plies(cell).all_linear())
           continue;
         // the energy is quadratic but for the plies that are not linear
         const MixedElement  element(cell.geometry, V_0);

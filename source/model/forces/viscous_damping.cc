@@ -29,7 +29,7 @@ namespace Biface
 
 
   bool
-  ViscousDamping::hold(const State &state)
+  ViscousDamping::is_active(const State &state)
   {
     return state.terms.count("damping") > 0;
   }
@@ -41,7 +41,7 @@ namespace Biface
                           const Loads       &loads) const
   {
     const bool in_equilibrium = loads.part_of_stage == 0;
-    return mesh.cells[cell].is_wall && hold(state) &&
+    return mesh.cells[cell].is_wall && is_active(state) &&
            (in_equilibrium || loads.damping > 0);
   }
 
@@ -70,7 +70,7 @@ namespace Biface
   void
   ViscousDamping::start_stage(const Loads &loads, State &state) const
   {
-    const bool was_damped = hold(state);
+    const bool was_damped = is_active(state);
     if (loads.damping == 0 && !was_damped)
       return;
     // the tractions of the stage before belong to its last state

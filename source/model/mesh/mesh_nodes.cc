@@ -16,7 +16,7 @@ namespace Biface
   using namespace dealii;
 
   std::vector<double>
-  Node::spread() const
+  Node::thickness_weights() const
   {
     double thickness = 0;
     for (const double half : half_thickness)

@@ -492,7 +492,7 @@ namespace Biface
 
 
   void
-  ShellMesh::deviate_by(const Imperfection &deviation)
+  ShellMesh::add_imperfection(const Imperfection &deviation)
   {
     LA::Vector        V = owned_vector();
     GreatestDeviation greatest;
@@ -802,7 +802,7 @@ namespace Biface
 
 
   MixedElement::NodalVector
-  Cell::own_values(const std::vector<double> &values) const
+  Cell::element_unknowns(const std::vector<double> &values) const
   {
     MixedElement::NodalVector V;
     if (contributions.empty())
@@ -918,7 +918,7 @@ namespace Biface
 
 
   double
-  ShellMesh::limit_of_membrane(const unsigned int strip) const
+  ShellMesh::membrane_stiffness_limit(const unsigned int strip) const
   {
     return 1000 * strips[strip].laminate.membrane_stiffness() /
            (size() * size());
@@ -932,7 +932,7 @@ namespace Biface
     for (unsigned int i = 0; i < n_strips(); ++i)
       minimum = std::min({minimum,
                           strips[i].laminate.thickness_stiffness(),
-                          limit_of_membrane(i)});
+                          membrane_stiffness_limit(i)});
     return minimum;
   }
 
@@ -944,7 +944,7 @@ namespace Biface
     for (unsigned int i = 0; i < n_strips(); ++i)
       {
         const double across = strips[i].laminate.thickness_stiffness(),
-                     limit  = limit_of_membrane(i);
+                     limit  = membrane_stiffness_limit(i);
         minimum =
           std::min(minimum, limit < across ? limit * (limit / across) : across);
       }
@@ -1119,7 +1119,7 @@ namespace Biface
     std::vector<double> values;
     for (const unsigned int position : cell.positions)
       values.push_back(entries[position]);
-    return cell.own_values(values);
+    return cell.element_unknowns(values);
   }
 
 

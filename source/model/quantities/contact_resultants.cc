@@ -120,10 +120,10 @@ namespace Biface
 
 
   ContactResultant
-  foundation_force(const ContactPair            &ground,
-                   const State                  &state,
-                   const Loads                  &loads,
-                   const std::vector<LoadRates> &rates)
+  ground_force(const ContactPair            &ground,
+               const State                  &state,
+               const Loads                  &loads,
+               const std::vector<LoadRates> &rates)
   {
     const Tensor<1, 3> outward = -loads.ground()->direction();
     return work_of_contact(

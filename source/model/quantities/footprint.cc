@@ -255,7 +255,7 @@ namespace Biface
             const std::vector<FaceNode> &nodes,
             const Tensor<1, 3>          &direction)
     {
-      // the projection of the y axis, of the z axis if the foundation travels
+      // the projection of the y axis, of the z axis if the ground travels
       // along y
       Tensor<1, 3> across = Tensor<1, 3>({0, 1, 0}) - direction[1] * direction;
       if (across.norm() < 1e-6)

@@ -18,14 +18,14 @@ namespace Biface
     /** What follows the supports in bodies_on_shell(). */
     enum Other
     {
-      foundation,
+      ground,
       loads_of_shell,
       prestress,
       interpolation,
       n_others
     };
 
-    constexpr const char *foundation_name = "foundation";
+    constexpr const char *ground_name = "foundation";
 
     /** By the face, from the inner to the outer one, in the frame of a node. */
     using FaceForces = std::vector<Tensor<1, 3>>;
@@ -237,7 +237,7 @@ namespace Biface
   {
     std::vector<std::string> bodies = equations.mesh.supported.bodies;
     for (const char *name :
-         {foundation_name, "loads", "prestress", "interpolation"})
+         {ground_name, "loads", "prestress", "interpolation"})
       bodies.emplace_back(name);
     for (const ForceTerm *term : equations.get_terms())
       if (!term->other_body().empty())
@@ -258,7 +258,7 @@ namespace Biface
 
     // by the body
     std::array<LA::Vector, n_others> others;
-    others[foundation]     = forces[ForceTerm::Source::foundation];
+    others[ground]         = forces[ForceTerm::Source::ground];
     others[loads_of_shell] = forces[ForceTerm::Source::loads];
     others[loads_of_shell] += forces[ForceTerm::Source::damping];
     others[interpolation] = forces[ForceTerm::Source::shell];
@@ -281,13 +281,13 @@ namespace Biface
           for (const Node &node : mesh.nodes)
             if (node.locally_owned)
               resultant.add(position, node, face_forces(mesh, of_body, node));
-          others[foundation] += of_body;
+          others[ground] += of_body;
           ++position;
         }
 
     // what is missing at the supports, which take up the prestress there
     LA::Vector missing_here = mesh.owned_vector();
-    for (const Other b : {foundation, loads_of_shell, interpolation})
+    for (const Other b : {ground, loads_of_shell, interpolation})
       missing_here -= others[b];
     LA::Vector missing = mesh.ghosted_vector(), initial = missing;
     missing = missing_here;
@@ -305,11 +305,11 @@ namespace Biface
 
 
   const ForceOnShell &
-  force_of_foundation(const std::vector<ForceOnShell> &forces)
+  force_of_ground(const std::vector<ForceOnShell> &forces)
   {
     return *std::find_if(
       forces.begin(), forces.end(), [](const ForceOnShell &item) {
-        return item.body == foundation_name;
+        return item.body == ground_name;
       });
   }
 } // namespace Biface

@@ -58,7 +58,7 @@ namespace Biface
     const auto work = [&](const ForceTerm::Source source) {
       double sum =
         before.forces[source] * change + after.forces[source] * change;
-      if (source == ForceTerm::Source::foundation)
+      if (source == ForceTerm::Source::ground)
         for (const NodalForces *forces : {&before.forces, &after.forces})
           for (const auto &[name, of_body] : forces->of_bodies)
             sum += of_body * change;
@@ -70,7 +70,7 @@ namespace Biface
     // in equilibrium, the supports exert what is missing
     result.loads =
       (prescribed ? result.damping - work(ForceTerm::Source::shell) -
-                      work(ForceTerm::Source::foundation)
+                      work(ForceTerm::Source::ground)
                   : work(ForceTerm::Source::loads));
     for (const auto &pair : contact.pairs)
       {
@@ -80,7 +80,7 @@ namespace Biface
         const RigidBody &end   = pair->body(after.loads)->body;
         // the motion of a body at each end is that of the point which is in
         // contact there
-        result.foundation +=
+        result.ground +=
           (work_of_body(*pair,
                         before,
                         [&](const Point<3> &x) {

@@ -10,7 +10,7 @@
 #include <limits>
 
 #include <biface/laminate/layup.h>
-#include <biface/model/mesh/largest_cell.h>
+#include <biface/model/mesh/cell_maximum.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/model/quantities/worst_strains.h>
 #include <biface/surface/reference_surface.h>
@@ -154,7 +154,7 @@ namespace Biface
       std::vector<double> values;
       for (const Candidate &candidate : of_cell)
         values.push_back(candidate.value);
-      const auto worst = find_largest_cell(mesh, values);
+      const auto worst = find_cell_maximum(mesh, values);
       if (!worst)
         return {};
 

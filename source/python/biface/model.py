@@ -98,7 +98,7 @@ def result_and_stage(output):
     return result.strip(), stage.strip()
 
 
-def numbers_of(variable):
+def numbers_set_by(variable):
     """The numbers of the file that a variable sets or multiplies."""
     words = variable.rpartition(":")[2].strip()
     words = words.removeprefix("factor of") if is_factor(variable) else words
@@ -109,9 +109,9 @@ def numbers_of(variable):
 def check_factors(variables):
     """The program takes derivatives by the number in the file, which is not the variable
     where a factor multiplies it."""
-    factors = set().union(*map(numbers_of, filter(is_factor, variables)))
+    factors = set().union(*map(numbers_set_by, filter(is_factor, variables)))
     for variable in variables:
-        common = [] if is_factor(variable) else sorted(numbers_of(variable) & factors)
+        common = [] if is_factor(variable) else sorted(numbers_set_by(variable) & factors)
         if common:
             raise BifaceError(f"A factor multiplies '{common[0]}', which the variable "
                               f"'{name_of(variable)}' sets: there is no derivative by it.")

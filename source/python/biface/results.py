@@ -153,7 +153,7 @@ class Results:
 
     def contact(self, step: int | None = None, body: str | None = None) \
             -> Table | None:
-        """contact-NNNN.csv: the nodes in contact with the foundation or a body, and
+        """contact-NNNN.csv: the nodes in contact with the ground or a body, and
         those beside them."""
         kind, prefix = ("contact", "") if body is None else \
             (f"contact-{body.replace(' ', '_')}", f"{body.replace(' ', '_')}_")
@@ -220,7 +220,7 @@ class Results:
         return self._growing_table("forces.csv", FORCE_COLUMNS)
 
     def stiffness(self) -> Table | None:
-        """stiffness.csv: stiffness against motions of the foundation."""
+        """stiffness.csv: stiffness against motions of the ground."""
         return self._growing_table("stiffness.csv", STIFFNESS_COLUMNS)
 
     def modes(self) -> Table | None:

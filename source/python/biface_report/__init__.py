@@ -4,7 +4,7 @@
     command_line   what the commands have in common
     units          what to call units
     loading        what changes from step to step
-    foundation     the plane, drum or sphere, and where it stands
+    ground     the plane, drum or sphere, and where it stands
     zone           the edge of the contact zone between the nodes
     footprint      the contact zone, projected along the direction of travel
     curved         smooth curves and cells through nodes
@@ -15,14 +15,14 @@
     shapes         pictures and views of modes and of shapes of buckling
     modes          modes of vibration
     buckling       buckling loads and critical points
-    stiffness      stiffnesses against motions of the foundation
+    stiffness      stiffnesses against motions of the ground
     wheel          forces in wheel axes, and where the footprint slips
     rolling        forces over the slip angle and the slip
     sensitivities  derivatives by numbers of the parameter file
     plies          charts of ply stresses
     view           views of the shell that turn
     view_data      the contents of VTU files for them
-    bodies         the foundation and other rigid bodies in them
+    bodies         the ground and other rigid bodies in them
     sectors        copies of a sector that fill a turn
     view*.js       draw them in the browser
     page           HTML

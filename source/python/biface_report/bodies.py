@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The foundation and other rigid bodies for views: grids of points on them, and by
+"""The ground and other rigid bodies for views: grids of points on them, and by
 how much they have moved in each step."""
 
 import re
@@ -9,7 +9,7 @@ import numpy as np
 from biface.results import CONTACT_COLUMNS
 from biface.tables import read_csv
 
-from .foundation import (PATCH_CELLS, Foundation, foundation_in_step, foundation_of,
+from .ground import (PATCH_CELLS, Ground, ground_in_step, ground_of,
                          unit)
 from .view_data import packed
 
@@ -18,7 +18,7 @@ MARGIN = 0.1
 # A body whose clearances are off by more, relative to this size, is somewhere else
 TOLERANCE = 1e-3
 
-# Shapes in parameters.prm, and what a Foundation calls them
+# Shapes in parameters.prm, and what a Ground calls them
 SHAPES = {"plane": "plane", "cylinder": "drum", "sphere": "sphere"}
 
 
@@ -28,11 +28,11 @@ def bodies_of(run, labels, points):
 
     labels: what the steps are called; points: those of the undeformed shell."""
     drawn, others = [], []
-    foundation = foundation_of(run)
-    travels = {step: found for step in labels if foundation is not None
-               and (found := foundation_in_step(run, step)) is not None}
+    ground = ground_of(run)
+    travels = {step: found for step in labels if ground is not None
+               and (found := ground_in_step(run, step)) is not None}
     if travels:
-        drawn.append(as_dict(foundation, {
+        drawn.append(as_dict(ground, {
             labels[step]: -found.travel * found.direction
             for step, found in travels.items()}, points))
     for name in names_of_bodies(run):
@@ -81,7 +81,7 @@ def translation(run, name):
 
 def tread_on(run, name):
     """The height of the tread between a body and the shell: it is drawn where the
-    tread touches it, as is the foundation."""
+    tread touches it, as is the ground."""
     height = run.numbers("Contact/Tread/Height", 1)
     return (height[0] if height is not None
             and run.setting(f"Body {name}/Moves with") == "foundation" else 0)
@@ -96,7 +96,7 @@ def body_of(run, name, shift=0, sign=1):
     if shape is None or any(vector is None for vector in (point, direction, axis)):
         return None
     if shape == "plane":
-        return Foundation(shape, direction, point + shift
+        return Ground(shape, direction, point + shift
                           - tread_on(run, name) * unit(direction))
     radius = run.numbers(f"Body {name}/Radius", 1)
     if radius is None:
@@ -109,19 +109,19 @@ def body_of(run, name, shift=0, sign=1):
         direction = direction - direction @ unit(axis) * unit(axis)
     if not np.any(direction):
         direction = across
-    # the point of a Foundation is on its surface
+    # the point of a Ground is on its surface
     point = point + shift - radius * unit(direction)
-    return Foundation(shape, direction, point, radius, axis)
+    return Ground(shape, direction, point, radius, axis)
 
 
-def place_of(run, name, contact, foundation, points):
+def place_of(run, name, contact, ground, points):
     """By how much a body has moved, or None where that is not known: the clearances
     of the nodes near it tell."""
     shift = np.zeros(3)
     if run.setting(f"Body {name}/Moves with") == "foundation":
-        if foundation is None:
+        if ground is None:
             return None
-        shift = (tread_on(run, name) - foundation.travel) * foundation.direction
+        shift = (tread_on(run, name) - ground.travel) * ground.direction
     found = [body_of(run, name, shift, sign) for sign in (1, -1)]
     if found[0] is None:
         return None

@@ -47,7 +47,7 @@ def stiffness(run):
 
 
 def draw_contact_curve(run):
-    """The force on the foundation against its approach. Where there are several
+    """The force on the ground against its approach. Where there are several
     branches, the longest ones have colors and names."""
     figure, axes = plt.subplots(figsize=(5.6, 3.8))
     curves = contact_curves(run)
@@ -73,9 +73,9 @@ def draw_contact_curve(run):
 
 
 def label_contact_curve(axes, units):
-    """The labels of a chart of the force on the foundation."""
+    """The labels of a chart of the force on the ground."""
     axes.set(xlabel=units.label("approach", "length"),
-             ylabel=units.label("force on the foundation", "force"))
+             ylabel=units.label("force on the ground", "force"))
 
 
 def mark_critical(axes, x, y):

@@ -10,7 +10,7 @@ from biface import BifaceError
 from biface.parameters import is_same
 
 from . import charts, maps
-from .content import (find_footprint, foundation_if_known, normal_of, section_caption,
+from .content import (find_footprint, ground_if_known, normal_of, section_caption,
                       section_lines)
 from .drawing import BLUE, RED, STYLE, embed, headroom, legend_below, plain
 from .page import (LeftOut, Section, figure, missing, number, page, paragraph,
@@ -109,7 +109,7 @@ def curves(runs, names):
                 axes.plot(approach, force, "o", color=color, linestyle=line,
                           markersize=3.5, label=None if i else plain(label))
         charts.label_contact_curve(axes, units_of(runs[0]))
-        words = "the force on the foundation against its approach"
+        words = "the force on the ground against its approach"
     else:
         words = draw_points(axes, runs, names)
         if words is None:
@@ -200,12 +200,12 @@ def sections(runs, names):
             return LeftOut(name, f"{run_name}: {lines}")
     profiles = [lines[1][-1] for lines in found]
     plane = SectionPlane(profiles, normal_of(runs[0]), found[0][2])
-    drawing, is_to_scale, has_foundation = maps.draw_sections(
+    drawing, is_to_scale, has_ground = maps.draw_sections(
         plane, profiles, list(map(plain, names)),
-        [foundation_if_known(run, run.step) for run in runs], units_of(runs[0]), COLORS)
+        [ground_if_known(run, run.step) for run in runs], units_of(runs[0]), COLORS)
     return Section("section", name, figure(
         embed(drawing), "Drawing of the deformed sections of both shells.",
-        section_caption(runs[0], found[0][3], is_to_scale, has_foundation)))
+        section_caption(runs[0], found[0][3], is_to_scale, has_ground)))
 
 
 # ---------------------------------------------------------------- input

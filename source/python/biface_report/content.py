@@ -11,7 +11,7 @@ from . import charts, maps, view
 from .buckling import buckling, critical_points, kinds_of_steps
 from .drawing import STYLE, embed, plain
 from .footprint import Footprint, normal_of_nodes
-from .foundation import foundation_in_step, foundation_of
+from .ground import ground_in_step, ground_of
 from .loading import counted_steps, step_labels
 from .modes import modes
 from .page import (LeftOut, Section, count, details, figure, missing, number,
@@ -54,16 +54,16 @@ def find_footprint(run):
     contact = run.contact() if run.is_contact else None
     if contact is None:
         return None
-    foundation = foundation_of(run)
-    normal = foundation.direction if foundation else normal_of_nodes(contact)
+    ground = ground_of(run)
+    normal = ground.direction if ground else normal_of_nodes(contact)
     if normal is None:
         return None
     if run.has_points_in_cells:
-        # nodes around points in contact may be clear of the foundation
+        # nodes around points in contact may be clear of the ground
         contact["active"] = contact["active"] * (contact["clearance"] < 0)
     if not contact["active"].any():
         return None
-    zone = zone_of_shell(run, foundation_in_step(run), contact)
+    zone = zone_of_shell(run, ground_in_step(run), contact)
     footprint = Footprint(contact, normal,
                           run.setting("Mesh/Closed in alpha_2") == "true", zone)
     if zone is None and "footprint_length" in run.history:
@@ -75,7 +75,7 @@ def curve(run):
     """Force against approach; without contact, a load against displacements."""
     if run.in_contact.any():
         html = figure(embed(charts.draw_contact_curve(run)),
-                      "Chart of the force on the foundation against its "
+                      "Chart of the force on the ground against its "
                       f"approach. {contact_range(run)}",
                       "One point per step in contact."
                       + critical_range(run, run.steps[run.in_contact]))
@@ -125,18 +125,18 @@ def footprint_map(run, footprint):
     name = "Footprint"
     if not run.is_contact:
         return LeftOut(
-            name, "The shell is not in contact with the foundation in step "
+            name, "The shell is not in contact with the ground in step "
             f"{run.step}.")
     if footprint is None:
         path = run.path("contact")
         reason = (f"{path.name} is missing." if not path.exists() else
                   "No node is in contact." if run.has_points_in_cells else
                   "parameters.prm is missing, and too few nodes are in contact to "
-                  "find the direction of the foundation.")
+                  "find the direction of the ground.")
         return LeftOut(name, reason)
-    foundation = foundation_of(run)
-    where = ("" if foundation is None or foundation.shape == "plane" else
-             f", seen along the direction in which the {foundation.name()} travels")
+    ground = ground_of(run)
+    where = ("" if ground is None or ground.shape == "plane" else
+             f", seen along the direction in which the {ground.name()} travels")
     text = (f"Contact pressure per area of the undeformed middle surface{where}, "
             "bilinear between the nodes. Dots: nodes in contact. Line: the "
             "edge of the contact zone, the line of zero clearance"
@@ -166,23 +166,23 @@ def sections_of_shell(run):
     if isinstance(found, str):
         return LeftOut(name, found)
     chosen, profiles, across, text = found
-    foundations = [foundation_if_known(run, step) for step in chosen]
-    drawing, is_to_scale, has_foundation = maps.draw_sections(
+    grounds = [ground_if_known(run, step) for step in chosen]
+    drawing, is_to_scale, has_ground = maps.draw_sections(
         SectionPlane(profiles, normal_of(run), across), profiles,
-        [plain(label) for label in step_labels(run, chosen)], foundations,
+        [plain(label) for label in step_labels(run, chosen)], grounds,
         units_of(run))
     return Section("section", name, figure(
         embed(drawing), "Drawing of the deformed section of the shell, from step "
         f"{chosen[0]} to step {chosen[-1]}.",
-        section_caption(run, text, is_to_scale, has_foundation)))
+        section_caption(run, text, is_to_scale, has_ground)))
 
 
-def section_caption(run, text, is_to_scale, has_foundation):
+def section_caption(run, text, is_to_scale, has_ground):
     """What a picture of sections shows, from the words of section_lines()."""
     text += (", to scale." if is_to_scale else
              ", <strong>the axes have different scales</strong>.")
-    if has_foundation:
-        text += f" Dashes: the {foundation_of(run).name()}."
+    if has_ground:
+        text += f" Dashes: the {ground_of(run).name()}."
     return text + " Smooth between the nodes."
 
 
@@ -217,14 +217,14 @@ def section_lines(run):
 
 
 def normal_of(run):
-    """The direction of the foundation, or None if the run has no contact."""
-    foundation = foundation_of(run) if run.in_contact.any() else None
-    return foundation.direction if foundation else None
+    """The direction of the ground, or None if the run has no contact."""
+    ground = ground_of(run) if run.in_contact.any() else None
+    return ground.direction if ground else None
 
 
-def foundation_if_known(run, step):
-    """The foundation where it stands in a step, or None."""
-    return (None if normal_of(run) is None else foundation_in_step(run, step))
+def ground_if_known(run, step):
+    """The ground where it stands in a step, or None."""
+    return (None if normal_of(run) is None else ground_in_step(run, step))
 
 
 # ---------------------------------------------------------------- run

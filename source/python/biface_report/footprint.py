@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The contact zone, projected onto the plane normal to the foundation's direction.
+"""The contact zone, projected onto the plane normal to the ground's direction.
 
 contact-NNNN.csv has the nodes in contact and all that share a cell with them, so
 that all four corners of every cell with a corner in contact are known.
@@ -9,7 +9,7 @@ import matplotlib.tri
 import numpy as np
 from matplotlib.path import Path
 
-from .foundation import plane_axes
+from .ground import plane_axes
 from .zone import Zone
 
 # Pieces into which the side of a cell is cut

@@ -89,13 +89,13 @@ def chosen_steps(steps):
     return [steps[i] for i in places]
 
 
-def draw_sections(plane, profiles, labels, foundations, units, colors=None):
+def draw_sections(plane, profiles, labels, grounds, units, colors=None):
     """Both faces of the section in several steps, or of several shells.
 
-    profiles, labels and foundations are lists with one item per step; an unknown
-    foundation is None. A section too slender to be seen to scale is stretched.
+    profiles, labels and grounds are lists with one item per step; an unknown
+    ground is None. A section too slender to be seen to scale is stretched.
     Returns the figure, whether it is to scale, and whether it shows a
-    foundation."""
+    ground."""
     figure, axes = plt.subplots(figsize=(5.6, 4.6))
     sections = [[curved_line(plane.project(profile.positions(f"{face}_")))
                  for face in ("outer", "inner")] for profile in profiles]
@@ -105,21 +105,21 @@ def draw_sections(plane, profiles, labels, foundations, units, colors=None):
         width = 2 if any(faces is other for other in last) else 1.1
         axes.plot(*faces[0].T, color=color, linewidth=width, label=label)
         axes.plot(*faces[1].T, color=color, linewidth=width)
-    # the foundation widens the picture only as far as it is near the shell
+    # the ground widens the picture only as far as it is near the shell
     limits = np.reshape(axes.axis(), (2, 2)).T
     shell_limits = limits.copy()
-    has_foundation = False
-    for faces, foundation, color in zip(sections, foundations, colors):
-        if foundation is None:
+    has_ground = False
+    for faces, ground, color in zip(sections, grounds, colors):
+        if ground is None:
             continue
-        for line, nearest in near_traces(plane, foundation, faces[0],
+        for line, nearest in near_traces(plane, ground, faces[0],
                                          shell_limits):
             axes.plot(*line.T, color=color, linewidth=0.9,
                       linestyle=(0, (7, 3)), zorder=1)
             margin = 0.03 * np.ptp(shell_limits[:, 0])
             limits[0] = np.minimum(limits[0], nearest - margin)
             limits[1] = np.maximum(limits[1], nearest + margin)
-            has_foundation = True
+            has_ground = True
     (left, low), (right, high) = limits
     names, is_down = plane.labels()
     axes.set(xlim=(left, right), ylim=(low, high),
@@ -140,15 +140,15 @@ def draw_sections(plane, profiles, labels, foundations, units, colors=None):
         axes.yaxis.set_major_formatter(
             lambda value, _: f"{0 - value:g}".replace("-", "−"))
     legend_below(axes)
-    return figure, is_to_scale, has_foundation
+    return figure, is_to_scale, has_ground
 
 
-def near_traces(plane, foundation, face, limits):
-    """Polylines in which a foundation cuts the plane of the section, not farther
+def near_traces(plane, ground, face, limits):
+    """Polylines in which a ground cuts the plane of the section, not farther
     from the shell than its size, and the point of each that is nearest to a
     face."""
     size = np.ptp(limits, axis=0).max()
-    traces = plane.trace(foundation, limits[0] - size, limits[1] + size)
+    traces = plane.trace(ground, limits[0] - size, limits[1] + size)
     result = []
     for line in traces:
         distances = np.linalg.norm(line[:, None] - face[None], axis=-1).min(1)

@@ -6,21 +6,21 @@ import numpy as np
 
 from biface import Table, read_vtu
 
-from .foundation import axis_name
+from .ground import axis_name
 
 # Relative to the size of the shell, nodes closer than this are on one line
 NEAR = 1e-5
 
-# Points along each side of the rectangle in which a foundation is looked for
+# Points along each side of the rectangle in which a ground is looked for
 TRACE_POINTS = 401
 
 
 class SectionPlane:
     """The plane nearest to all points of some profiles, with a horizontal and an
-    upward axis; the foundation is below, if there is one."""
+    upward axis; the ground is below, if there is one."""
 
     def __init__(self, profiles, normal=None, across=None):
-        """From the tables of profiles, the normal of the foundation, and that of the
+        """From the tables of profiles, the normal of the ground, and that of the
         plane, if they are known."""
         points = np.concatenate([profile.positions(f"{face}_")
                                  for profile in profiles
@@ -58,14 +58,14 @@ class SectionPlane:
         names = [axis_name(axis) for axis in (self.right, self.up)]
         return names, names[1] in ("x", "y", "z") and self.up.min() < -0.5
 
-    def trace(self, foundation, low, high):
-        """Where a foundation cuts this plane: polylines of projected points, in
+    def trace(self, ground, low, high):
+        """Where a ground cuts this plane: polylines of projected points, in
         the rectangle between two projected points."""
         x, y = (np.linspace(low[i], high[i], TRACE_POINTS) for i in range(2))
         x, y = np.meshgrid(x, y)
         points = (np.multiply.outer(x, self.right) + np.multiply.outer(y, self.up)
                   + (self.center @ self.across) * self.across)
-        clearance = foundation.clearance(points.reshape(-1, 3)).reshape(x.shape)
+        clearance = ground.clearance(points.reshape(-1, 3)).reshape(x.shape)
         contour = matplotlib.figure.Figure().subplots().contour(
             x, y, clearance, levels=[0])
         return [line for line in contour.allsegs[0] if len(line) > 1]

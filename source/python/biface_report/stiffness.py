@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The table of stiffnesses against motions of the foundation."""
+"""The table of stiffnesses against motions of the ground."""
 
 from html import escape
 
@@ -19,7 +19,7 @@ def stiffness(run):
     name = "Stiffness"
     found = run.stiffness()
     if found is None or len(found) == 0:
-        return LeftOut(name, "In no step does the foundation move in contact while "
+        return LeftOut(name, "In no step does the ground move in contact while "
                        "all other loads rest.")
     rows, units = [], units_of(run)
     for first, last in stages_of(found):
@@ -39,12 +39,12 @@ def stiffness(run):
              "Tangent, first step", "Tangent, last step", "Across", ""]
     text = paragraph(
         "Pressure, force and approach are those where the stage starts. Secant: the "
-        "change of what the foundation exerts on the shell since then, along the "
+        "change of what the ground exerts on the shell since then, along the "
         "motion, over the motion. Tangent: the same of a single step. Across: the "
-        "force in the foundation across a slide, over the slide, since the start. "
+        "force in the ground across a slide, over the slide, since the start. "
         "All components are in stiffness.csv.")
     return Section("stiffness", name, table(
-        "Stiffnesses against motions of the foundation", heads, rows) + text, True)
+        "Stiffnesses against motions of the ground", heads, rows) + text, True)
 
 
 def stages_of(found):
@@ -75,8 +75,8 @@ def direction_of(at):
 
 
 def coupling(run, at):
-    """The force across a slide, in the foundation, over the slide: positive about
-    the direction of the foundation. None for other motions."""
+    """The force across a slide, in the ground, over the slide: positive about
+    the direction of the ground. None for other motions."""
     outward = run.numbers("Contact/Direction", 3)
     if at["motion"] != "slide" or outward is None:
         return None

@@ -147,8 +147,8 @@ def contact_rows(run, footprint):
     """Numbers of a step in contact."""
     units = units_of(run)
     force, area = run.last("force"), run.last("contact_area")
-    rows = [Row("Force on the foundation", force, units["force"]),
-            Row("Approach of the foundation", run.last("approach"),
+    rows = [Row("Force on the ground", force, units["force"]),
+            Row("Approach of the ground", run.last("approach"),
                 units["length"], "since it first touched the shell")]
     slope = charts.stiffness(run)
     if slope is not None:
@@ -200,7 +200,7 @@ PRESSURE_ROWS = (
      "1 if the gas carries all of the load"))
 WHEEL_ROWS = (
     ("loaded_radius", "Loaded radius", "length",
-     "from the origin to the foundation"),)
+     "from the origin to the ground"),)
 TENSION_ROWS = (
     ("max_cord_tension", "Maximum cord tension", "force"),
     ("max_fiber_tension", "Maximum fiber tension", "tension"))

@@ -11,7 +11,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from .bodies import bodies_of
-from .foundation import foundation_of
+from .ground import ground_of
 from .loading import step_labels
 from .page import LeftOut, Section
 from .sectors import around, copies_of
@@ -64,8 +64,8 @@ def shell(run):
         notes.append(f"Not drawn: {escape(', '.join(left_out))}.")
     if run.is_contact:
         notes.insert(0, "Gray: zero, as without contact.")
-    foundation = foundation_of(run) if run.is_contact else None
-    direction, up = (view_of_contact(foundation.direction) if foundation else
+    ground = ground_of(run) if run.is_contact else None
+    direction, up = (view_of_contact(ground.direction) if ground else
                      INTO if len(copies) > 1 else view_of_shell(parts[0]))
     if len(copies) > 1:
         notes.append("The sector is repeated, with its colors; "
@@ -119,7 +119,7 @@ def thinned(run, kind, steps):
 
 def view_of_contact(normal):
     """Direction from the shell to the camera, and which way is up. The camera looks
-    through the foundation, slightly from the side."""
+    through the ground, slightly from the side."""
     # the Cartesian axes that are most nearly in the plane
     order = np.argsort(np.abs(normal), kind="stable")
     aside, up = (np.eye(3)[i] for i in sorted(order[:2]))

@@ -9,7 +9,7 @@ import numpy as np
 
 from .drawing import BLUE, GRAY, RED, embed
 from .footprint import Footprint
-from .foundation import axis_name, foundation_in_step, foundation_of, unit
+from .ground import axis_name, ground_in_step, ground_of, unit
 from .loading import TESTED
 from .page import LeftOut, Section, figure, number, paragraph, table
 from .units import units_of
@@ -17,7 +17,7 @@ from .units import units_of
 # The axle of a surface of revolution
 AXLE = np.array([0.0, 1.0, 0.0])
 
-# A foundation closer to the axle than this does not carry a wheel: the sine of the
+# A ground closer to the axle than this does not carry a wheel: the sine of the
 # angle between its plane and the axle
 LYING = 0.9
 
@@ -36,13 +36,13 @@ class WheelAxes:
         left = unit(AXLE - (AXLE @ up) * up)
         self.axes = np.array([np.cross(left, up), left, up])
 
-    def contact_center(self, foundation):
+    def contact_center(self, ground):
         """Where the line from the center of the wheel down in its middle plane, the
         plane of symmetry across the axle, meets the ground."""
         down = unit(self.direction - (self.direction @ AXLE) * AXLE)
         point = np.zeros(3)
         for _ in range(SEARCHES):
-            point = point + foundation.clearance(point) * down
+            point = point + ground.clearance(point) * down
         return point
 
     def resultant(self, force, moment, center, point):
@@ -76,9 +76,9 @@ def is_tube(run):
 
 def wheel_axes(run):
     """The axes of a run, or None if it is no wheel on the ground."""
-    foundation = foundation_of(run)
-    return (None if foundation is None or not is_wheel(run)
-            else WheelAxes(foundation.direction))
+    ground = ground_of(run)
+    return (None if ground is None or not is_wheel(run)
+            else WheelAxes(ground.direction))
 
 
 def wheel_forces(run):
@@ -99,12 +99,12 @@ def wheel_forces(run):
     for i, step in enumerate(run.steps):
         if run.history["stage"][i].startswith(TESTED):
             continue
-        foundation = (foundation_in_step(run, step) if run.in_contact[i] else None)
+        ground = (ground_in_step(run, step) if run.in_contact[i] else None)
         here = forces.where((forces["step"] == step)
                             & (forces["body"] == "foundation"))
-        if foundation is None or len(here) == 0:
+        if ground is None or len(here) == 0:
             continue
-        point = axes.contact_center(foundation)
+        point = axes.contact_center(ground)
         force, moment = axes.resultant(here.positions("F_")[0],
                                        here.positions("M_")[0],
                                        np.array(center), point)

@@ -162,11 +162,11 @@ def loops(links):
     return result
 
 
-def zone_of_shell(run, foundation, contact):
+def zone_of_shell(run, ground, contact):
     """The zone from shell-NNNN.vtu, or None if this file is missing or does not have
     the nodes in contact of contact-NNNN.csv."""
     path = run.path("shell", ending="vtu")
-    if (foundation is None or not path.exists()
+    if (ground is None or not path.exists()
             or run.setting("Output/Write VTU") == "false"):
         return None
     data = read_vtu(path)
@@ -174,7 +174,7 @@ def zone_of_shell(run, foundation, contact):
     cells = cells[data["outer_face"][cells[:, 0]] > 0.5]
     kept, cells = joined(data["Points"], cells)
     points = data["Points"][kept].astype(float)
-    clearance = foundation.clearance(points)
+    clearance = ground.clearance(points)
     # the others touch bodies, or are around points in contact
     largest = (contact["clearance"][contact["active"] > 0].max()
                + NEAR * np.ptp(points, axis=0).max())

@@ -43,7 +43,7 @@ State = namedtuple("State", "stage motion load pressure grip first secant tangen
 Press = namedtuple("Press", "stage pressure load deflection secant tangent load_before "
                             "loaded_radius length width area")
 
-# The modes of a stage: whether the foundation is in contact, pressure [Pa], and arrays
+# The modes of a stage: whether the ground is in contact, pressure [Pa], and arrays
 # with a number for each mode.
 # frequency  [Hz]
 # waves      around the axis; half_waves along the meridian; NaN for what is no full turn

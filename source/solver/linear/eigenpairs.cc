@@ -693,9 +693,9 @@ namespace Biface
 
 
   void
-  settle_phases(std::vector<Eigenpair>        &pairs,
-                const Multiply                &multiply,
-                const std::vector<LA::Vector> &fields)
+  normalize_phases(std::vector<Eigenpair>        &pairs,
+                   const Multiply                &multiply,
+                   const std::vector<LA::Vector> &fields)
   {
     // the part of a field that is not round-off
     constexpr double significant = 1e-3;

@@ -34,7 +34,7 @@ namespace Biface
     }
 
 
-    /** A node that the foundation holds. */
+    /** A node that the ground holds. */
     struct HeldNode
     {
       std::vector<types::global_dof_index> rows;
@@ -91,9 +91,9 @@ namespace Biface
      * alone yields to its force with the least energy.
      * @return whether the matrices of all nodes are regular. */
     bool
-    yield_at(const std::vector<HeldNode> &nodes,
-             const LA::SparseMatrix      &A,
-             LA::SparseMatrix            &projection)
+    make_energy_projection(const std::vector<HeldNode> &nodes,
+                           const LA::SparseMatrix      &A,
+                           LA::SparseMatrix            &projection)
     {
       // the rest keeps the coarse matrix regular where all nodes are held
       constexpr double truncated = 0.99;
@@ -246,7 +246,7 @@ namespace Biface
       {
         if (!initialize_smoother(level, *on_level))
           return result;
-        // coarse functions from here on do not move nodes that the foundation
+        // coarse functions from here on do not move nodes that the ground
         // holds, so that coarser levels do not know of it
         if (&level == &levels.front() && !truncate_prolongation())
           return result;
@@ -290,7 +290,7 @@ namespace Biface
       return true;
 
     LA::SparseMatrix projection;
-    if (!yield_at(held, *matrix, projection))
+    if (!make_energy_projection(held, *matrix, projection))
       return false;
     level.truncated = std::make_unique<LA::SparseMatrix>();
     projection.mmult(*level.truncated, level.interpolation);

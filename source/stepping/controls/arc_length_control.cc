@@ -183,7 +183,7 @@ namespace Biface
 
 
   std::string
-  ArcLengthControl::exhausted() const
+  ArcLengthControl::stop_reason() const
   {
     if (n_steps == 0 || n_steps < parameters.max_arc_steps)
       return {};

@@ -133,8 +133,9 @@ namespace Biface
   Control::progressions_of_loads(const LoadLevel &reached,
                                  const LoadLevel &end) const
   {
-    const std::vector<double> from = numbers_of(start),
-                              now = numbers_of(reached), to = numbers_of(end);
+    const std::vector<double> from = load_components(start),
+                              now  = load_components(reached),
+                              to   = load_components(end);
     std::vector<Progression> progressions;
     for (unsigned int i = 0; i < from.size(); ++i)
       progressions.push_back({from[i], now[i], to[i]});
@@ -148,7 +149,7 @@ namespace Biface
     const LoadLevel end = stage.end(start);
     if (fraction == 1)
       return end;
-    return loads_on_line(start, end, fraction);
+    return interpolated_loads(start, end, fraction);
   }
 
 
@@ -191,7 +192,7 @@ namespace Biface
     // a load parameter scales loads, to which motions of the ground do not
     // belong
     if (stage.contact && moves)
-      throw InputError(what + "its foundation moves, too.");
+      throw InputError(what + "its ground moves, too.");
     if (!(stays(start.ground_velocity, stage.ground_velocity) &&
           stays(start.slip_angle, stage.slip_angle)))
       throw InputError(what + "its ground velocity or slip angle changes, "

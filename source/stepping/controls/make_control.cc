@@ -46,9 +46,9 @@ namespace Biface
         case ControlKind::arc_length:
           return make<ArcLengthControl>(stage, parameters);
         case ControlKind::load:
-        case ControlKind::foundation_force:
+        case ControlKind::ground_force:
         case ControlKind::axle_moment:
-        case ControlKind::foundation_force_and_axle_moment:
+        case ControlKind::ground_force_and_axle_moment:
           {
             const auto resultants = prescribed_resultants(stage);
             if (resultants.empty())

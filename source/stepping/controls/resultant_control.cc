@@ -25,7 +25,7 @@ namespace Biface
   namespace
   {
     void
-    check_foundation(const Stage &stage, const std::string &section)
+    check_ground(const Stage &stage, const std::string &section)
     {
       if (!stage.contact)
         throw InputError(section + "/Control",
@@ -48,7 +48,7 @@ namespace Biface
             const std::string &section,
             const Control::KnownStart & /*start*/) const override
       {
-        check_foundation(stage, section);
+        check_ground(stage, section);
         if (stage.travel.value_or(0) != 0)
           throw InputError(section + "/Travel",
                            number_to_string(*stage.travel),
@@ -70,8 +70,8 @@ namespace Biface
                const std::vector<LoadRates> &rates) const override
       {
         ContactResultant result =
-          foundation_force(contact.ground(), state, loads, rates);
-        for_each_on_foundation(contact, loads, [&](const ContactPair &pair) {
+          ground_force(contact.ground(), state, loads, rates);
+        for_each_on_ground(contact, loads, [&](const ContactPair &pair) {
           result += power_of_body(pair, state, loads, rate(), rates);
         });
         return result;
@@ -120,7 +120,7 @@ namespace Biface
       remedies() const override
       {
         return "a stage of prescribed 'Travel' before, in which the shell "
-               "comes to rest on the foundation";
+               "comes to rest on the ground";
       }
 
       std::optional<double>
@@ -135,32 +135,32 @@ namespace Biface
       }
 
     private:
-      /** Call a function for the bodies that are on the foundation. */
+      /** Call a function for the bodies that are on the ground. */
       template <typename Function>
       static void
-      for_each_on_foundation(const ContactInteraction &contact,
-                             const Loads              &loads,
-                             const Function           &function)
+      for_each_on_ground(const ContactInteraction &contact,
+                         const Loads              &loads,
+                         const Function           &function)
       {
         for (const auto &pair : contact.pairs)
-          if (pair->moving_body.is_on_foundation() && pair->body(loads))
+          if (pair->moving_body.is_on_ground() && pair->body(loads))
             function(*pair);
       }
 
-      /** Whether the foundation, or a body on it, is in contact. */
+      /** Whether the ground, or a body on it, is in contact. */
       static bool
       touches(const ContactInteraction &contact,
               const State              &state,
               const Loads              &loads)
       {
         bool any = count_active(contact.ground(), state) > 0;
-        for_each_on_foundation(contact, loads, [&](const ContactPair &pair) {
+        for_each_on_ground(contact, loads, [&](const ContactPair &pair) {
           any = count_active(pair, state) > 0 || any;
         });
         return any;
       }
 
-      /** The travel until the foundation touches, and a little further to get
+      /** The travel until the ground touches, and a little further to get
        * into contact. */
       static double
       beyond_touch(const ContactInteraction &contact,
@@ -187,7 +187,7 @@ namespace Biface
             const std::string         &section,
             const Control::KnownStart &start) const override
       {
-        check_foundation(stage, section);
+        check_ground(stage, section);
         const std::string with =
           "with 'Control = " + stage.control_name() + "' ";
         if (stage.angular_velocity)
@@ -238,9 +238,9 @@ namespace Biface
       {
         // free rolling prescribes zero: relative to what the force on the
         // ground would exert at the radius
-        const double force = foundation_force(iteration.contact.ground(),
-                                              iteration.state,
-                                              iteration.loads)
+        const double force = ground_force(iteration.contact.ground(),
+                                          iteration.state,
+                                          iteration.loads)
                                .value;
         return std::abs(prescribed) +
                std::abs(force *
@@ -409,11 +409,11 @@ namespace Biface
         direction.factors[factor] =
           std::copysign(1., prescribed * amplitude) / std::abs(amplitude);
         const double way =
-          way_to_shell(body,
-                       iteration.state,
-                       iteration.loads,
-                       direction,
-                       0.01 * iteration.contact.mesh.thickness());
+          distance_to_contact(body,
+                              iteration.state,
+                              iteration.loads,
+                              direction,
+                              0.01 * iteration.contact.mesh.thickness());
         return way * direction.factors[factor];
       }
 

@@ -22,14 +22,14 @@ namespace Biface
    * Throws InputError if it misses the shell, or if the shell does not fit into
    * it. */
   double
-  touching_travel(const ContactPair &pair, const State &state);
+  travel_at_first_contact(const ContactPair &pair, const State &state);
 
   /** The mean of the deformed positions of the nodes that the body touches at
    * the given travel. Must be called on all ranks. */
   dealii::Point<3>
-  touched_point(const ContactPair &pair,
-                const State       &state,
-                const double       touching_travel);
+  first_contact_point(const ContactPair &pair,
+                      const State       &state,
+                      const double       travel_at_first_contact);
 
   /** The nodes of this rank that the body has passed through: supports hold
    * their face, so they cannot come into contact. */
@@ -48,9 +48,9 @@ namespace Biface
    * shell lies on a smooth body, and large at a point that the side of an
    * obstacle holds. Must be called on all ranks. Unit: radians. */
   double
-  steepest_side(const ContactPair &pair,
-                const State       &state,
-                const Loads       &loads);
+  largest_angle_of_normals(const ContactPair &pair,
+                           const State       &state,
+                           const Loads       &loads);
 
   /** Whether a node of this rank has passed through the body: one that did
    * not touch it, on the straight line between its places relative to the
@@ -76,11 +76,11 @@ namespace Biface
    * called on all ranks.
    * @param direction the rates of the loads per way. */
   double
-  way_to_shell(const ContactPair &pair,
-               const State       &state,
-               const Loads       &loads,
-               const LoadRates   &direction,
-               const double       depth);
+  distance_to_contact(const ContactPair &pair,
+                      const State       &state,
+                      const Loads       &loads,
+                      const LoadRates   &direction,
+                      const double       depth);
 } // namespace Biface
 
 #endif

@@ -13,8 +13,8 @@
 
 #include <biface/contact/bristles.h>
 #include <biface/model/forces/force_term.h>
-#include <biface/model/mesh/flow_lines.h>
 #include <biface/model/mesh/shell_mesh.h>
+#include <biface/model/mesh/streamlines.h>
 
 namespace Biface
 {
@@ -35,7 +35,7 @@ namespace Biface
      * @param zone what happens between both.
      * @param body its laws have bristles. */
     BristleLines(const ShellMesh       &mesh,
-                 const FlowLines       &flow_lines,
+                 const Streamlines     &streamlines,
                  const Resultants::Face face,
                  const State           &state,
                  const ContactState    &zone,
@@ -142,7 +142,7 @@ namespace Biface
 
     /** The nodes of this rank that touch or have a neighbor that does. */
     std::vector<LineNode>
-    own_nodes(const FlowLines    &flow_lines,
+    own_nodes(const Streamlines  &streamlines,
               const State        &state,
               const ContactState &zone) const;
 

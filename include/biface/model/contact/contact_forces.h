@@ -83,7 +83,7 @@ namespace Biface
     Source
     source() const override
     {
-      return Source::foundation;
+      return Source::ground;
     }
 
     std::string

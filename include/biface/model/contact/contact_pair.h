@@ -19,8 +19,8 @@
 #include <biface/model/contact/contact_traction.h>
 #include <biface/model/contact/linearized_contact.h>
 #include <biface/model/contact/moving_body.h>
-#include <biface/model/mesh/flow_lines.h>
 #include <biface/model/mesh/shell_mesh.h>
+#include <biface/model/mesh/streamlines.h>
 #include <biface/model/state/contact_points.h>
 #include <biface/model/state/load_rates.h>
 #include <biface/model/state/state.h>
@@ -215,7 +215,7 @@ namespace Biface
     const ContactPoints    points;
     const MovingBody       moving_body;
     /** The flow of the material through the mesh, if the shell rolls. */
-    const FlowLines flow_lines;
+    const Streamlines streamlines;
 
   private:
     /** Set the tangential multipliers of an active node to its tangential

@@ -13,20 +13,20 @@
 
 namespace Biface
 {
-  /** The body of a ContactPair, at rest and after its motions: the foundation,
+  /** The body of a ContactPair, at rest and after its motions: the ground,
    * which travels, or another body, which has motions of its own and may be on
-   * the foundation. */
+   * the ground. */
   class MovingBody
   {
   public:
-    /** The foundation. */
+    /** The ground. */
     MovingBody(const RigidBody &at_rest, const TreadParameters &tread)
       : body(at_rest), tread_height(tread.height.value_or(0))
     {}
 
     /** Another body, behind the tread if it touches it. */
     MovingBody(const BodyParameters &other, const TreadParameters &tread)
-      : body(other.make().behind(tread.height.value_or(0)))
+      : body(other.make().offset_by(tread.height.value_or(0)))
       , tread_height(tread.height.value_or(0))
       , other(other)
     {}
@@ -44,24 +44,24 @@ namespace Biface
       return body.moved(travel);
     }
 
-    /** Whether the body is not the foundation, but moves with it. */
+    /** Whether the body is not the ground, but moves with it. */
     bool
-    is_on_foundation() const
+    is_on_ground() const
     {
-      return other && other->on_foundation;
+      return other && other->on_ground;
     }
 
-    /** Another body that is on this one, the foundation, after its travel. */
+    /** Another body that is on this one, the ground, after its travel. */
     RigidBody
-    taken_along(const RigidBody &on_this, const double travel) const;
+    carried_by(const RigidBody &on_this, const double travel) const;
 
-    /** The body, which is not the foundation, after its own motions by the
-     * factors of the loads. The foundation takes those along that are on it.
-     * @param with_foundation the further motion of a body on the foundation. */
+    /** The body, which is not the ground, after its own motions by the
+     * factors of the loads. The ground takes those along that are on it.
+     * @param with_ground the further motion of a body on the ground. */
     RigidBody
     after_motions(
       const std::vector<double>                         &factors,
-      const std::function<RigidBody(const RigidBody &)> &with_foundation) const;
+      const std::function<RigidBody(const RigidBody &)> &with_ground) const;
 
   private:
     RigidBody                     body;

@@ -112,7 +112,7 @@ namespace Biface
     /** The residual() of any state, without an assembly. The displacements at
      * the supports are those of the state. */
     LA::Vector
-    out_of_balance(const State &state, const Loads &loads) const;
+    out_of_balance_forces(const State &state, const Loads &loads) const;
 
     /** Set the displacements of the supports in a state, at which other
      * displacements are kept. */
@@ -138,7 +138,7 @@ namespace Biface
      * undeformed shape, to which its displacements return, see
      * InternalForces::take_as_prestress(). The loads keep acting; from
      * now on constant forces take up what is out of balance.
-     * @param loads without a foundation. */
+     * @param loads without a ground. */
     Unbalance
     start_from_prestress(State &state, const Loads &loads) const;
 

@@ -90,9 +90,9 @@ namespace Biface
     /** The volume that the face of a cell sweeps.
      * @param gradient its derivative is added, unless null. */
     double
-    swept(const Cell                      &cell,
-          const MixedElement::NodalVector &V,
-          MixedElement::NodalVector       *gradient = nullptr) const;
+    swept_volume(const Cell                      &cell,
+                 const MixedElement::NodalVector &V,
+                 MixedElement::NodalVector       *gradient = nullptr) const;
 
     /** The flux through the undeformed face of a cell. */
     double

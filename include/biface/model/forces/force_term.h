@@ -226,7 +226,7 @@ namespace Biface
     {
       shell,
       loads,
-      foundation,
+      ground,
       damping
     };
 
@@ -237,7 +237,7 @@ namespace Biface
     }
 
     /** The name of the body that exerts the forces, if it is not the
-     * foundation; empty otherwise. */
+     * ground; empty otherwise. */
     virtual std::string
     other_body() const
     {

@@ -8,7 +8,7 @@
 
 #include <biface/element/modes.h>
 #include <biface/model/forces/force_term.h>
-#include <biface/model/forces/relaxation_in_flow.h>
+#include <biface/model/forces/relaxation_in_transport.h>
 #include <biface/model/state/state.h>
 
 namespace Biface
@@ -77,7 +77,7 @@ namespace Biface
     prepare(const Loads &loads, State &state) const override;
 
     /** The energies that plies lose in a turn of a wheel that rolls, in an
-     * equilibrium, see RelaxationInFlow::losses(). */
+     * equilibrium, see RelaxationInTransport::losses(). */
     std::vector<std::vector<double>>
     losses(const State &state, const double angular_velocity) const;
 
@@ -276,7 +276,7 @@ namespace Biface
      * ShellMesh::strips. */
     std::vector<ModeStiffness>  stiffness;
     std::vector<NonlinearPlies> nonlinear;
-    RelaxationInFlow            flow;
+    RelaxationInTransport       transport;
     bool                        symmetric_stiffness;
     /** The initial resultants of the laminate, by cell. */
     std::vector<Modes::Vector> of_laminate;

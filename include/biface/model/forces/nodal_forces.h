@@ -40,7 +40,7 @@ namespace Biface
       return forces[static_cast<unsigned int>(source)];
     }
 
-    /** The forces of the bodies beside the foundation, by name; they are not
+    /** The forces of the bodies beside the ground, by name; they are not
      * among the other forces. */
     std::map<std::string, LA::Vector> of_bodies;
 

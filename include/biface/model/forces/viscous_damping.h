@@ -28,7 +28,7 @@ namespace Biface
   public:
     /** Whether dashpots hold a state. */
     static bool
-    hold(const State &state);
+    is_active(const State &state);
 
     /** The mesh is kept by reference. */
     explicit ViscousDamping(const ShellMesh &mesh) : mesh(mesh)

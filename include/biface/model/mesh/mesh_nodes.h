@@ -120,7 +120,7 @@ namespace Biface
      * part k + 1: the @f$k@f$-th entry is the derivative of the mean
      * displacement of the wall by @f$d_k@f$. */
     std::vector<double>
-    spread() const;
+    thickness_weights() const;
 
     /** Whether the node belongs to this rank. */
     bool locally_owned;

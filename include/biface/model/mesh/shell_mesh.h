@@ -78,7 +78,7 @@ namespace Biface
     /** The unknowns of the element from those of the nodes, which are in the
      * order of @p dofs. */
     MixedElement::NodalVector
-    own_values(const std::vector<double> &values) const;
+    element_unknowns(const std::vector<double> &values) const;
 
     /** Convert forces on the faces of the element into those on the unknowns of
      * the nodes, in the order of @p dofs. */
@@ -145,7 +145,7 @@ namespace Biface
     /** Let the stress-free shell deviate from the surface, but where supports
      * hold it. Throws InputError, see Imperfection. */
     void
-    deviate_by(const Imperfection &imperfection);
+    add_imperfection(const Imperfection &imperfection);
 
     /** A mesh with other plies, which shares everything else with this one;
      * null if they place the faces elsewhere. Throws InputError if a ply ends
@@ -381,7 +381,7 @@ namespace Biface
     /** The limit of the stiffness of a strip as thin as a membrane, see
      * wall_stiffness(). Unit: pressure/length. */
     double
-    limit_of_membrane(const unsigned int strip) const;
+    membrane_stiffness_limit(const unsigned int strip) const;
 
     /** A copy on the same triangulation. */
     ShellMesh(const ShellMesh &);

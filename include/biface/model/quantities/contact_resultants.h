@@ -15,7 +15,7 @@ namespace Biface
   struct State;
 
 
-  /** A component of the resultant of the forces between shell and foundation,
+  /** A component of the resultant of the forces between shell and ground,
    * or another body, with its derivatives for a fixed active set. */
   struct ContactResultant
   {
@@ -44,19 +44,19 @@ namespace Biface
   };
 
 
-  /** The compressive force on the foundation, along its direction. Unit: force.
+  /** The compressive force on the ground, along its direction. Unit: force.
    *
    * Must be called on all ranks. */
   ContactResultant
-  foundation_force(const ContactPair            &ground,
-                   const State                  &state,
-                   const Loads                  &loads,
-                   const std::vector<LoadRates> &rates = {});
+  ground_force(const ContactPair            &ground,
+               const State                  &state,
+               const Loads                  &loads,
+               const std::vector<LoadRates> &rates = {});
 
 
   /**
    * The moment of the axle on a wheel about the y axis. It is what balances the
-   * moment of the foundation about the axle, @f$-\mathbf r\cdot\mathbf f@f$
+   * moment of the ground about the axle, @f$-\mathbf r\cdot\mathbf f@f$
    * with the rotation @f$\mathbf r=\mathbf e_y\times\mathbf x@f$ of the
    * deformed face. The rim exerts it in addition to what dead loads need:
    * only with it the power of the axle is what the ground takes, since the work

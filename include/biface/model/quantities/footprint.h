@@ -13,7 +13,7 @@ namespace Biface
 
   /**
    * The figures of a footprint, the zone of contact seen along the direction in
-   * which the foundation travels, between the nodes of the mesh.
+   * which the ground travels, between the nodes of the mesh.
    *
    * Along each line of the mesh a node in contact covers the line up to halfway
    * to its neighbors. The edge of the zone, the line of zero clearance, lies in

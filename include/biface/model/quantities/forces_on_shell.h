@@ -37,7 +37,7 @@ namespace Biface
 
   /**
    * The forces and moments on the shell of each of its supports, of the
-   * foundation and of the loads, with damping, in Cartesian components.
+   * ground and of the loads, with damping, in Cartesian components.
    *
    * The forces of the supports are what is missing for equilibrium at the nodes
    * that they hold, @f$\sum_k\lambda_k\mathbf c_k@f$ with the coefficients
@@ -64,9 +64,9 @@ namespace Biface
                   const NodalForces    &forces);
 
 
-  /** The resultant of the foundation among those of forces_on_shell(). */
+  /** The resultant of the ground among those of forces_on_shell(). */
   const ForceOnShell &
-  force_of_foundation(const std::vector<ForceOnShell> &forces);
+  force_of_ground(const std::vector<ForceOnShell> &forces);
 } // namespace Biface
 
 #endif

@@ -15,7 +15,7 @@ namespace Biface
 {
   /**
    * The energy that the plies of a rolling wheel dissipate in a turn: by the
-   * relaxation of their stresses, see RelaxationInFlow, or by their loss
+   * relaxation of their stresses, see RelaxationInTransport, or by their loss
    * factors, see CyclicLoss. A cell stands for the particles in it: while they
    * flow around the axle, they pass through the strains and stresses of all
    * cells of their line. Nothing of the loss factors acts back on the

@@ -15,9 +15,9 @@ namespace Biface
   {
     /** The work of the loads and of prescribed displacements. */
     double loads = 0;
-    /** The work of the moving foundation on the nodes in contact. */
-    double foundation = 0;
-    /** The part of @p foundation that friction dissipates. */
+    /** The work of the moving ground on the nodes in contact. */
+    double ground = 0;
+    /** The part of @p ground that friction dissipates. */
     double friction = 0;
     /** The work that ViscousDamping dissipates. */
     double damping = 0;
@@ -26,7 +26,7 @@ namespace Biface
     operator+=(const Work &other)
     {
       loads += other.loads;
-      foundation += other.foundation;
+      ground += other.ground;
       friction += other.friction;
       damping += other.damping;
       return *this;
@@ -36,7 +36,7 @@ namespace Biface
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &loads &foundation &friction &damping;
+      archive &loads &ground &friction &damping;
     }
   };
 
@@ -54,14 +54,14 @@ namespace Biface
   /**
    * The work in a step, by the trapezoidal rule: mean forces times
    * displacements. Its error decreases with the square of the size of the step.
-   * Loads and foundation do as much work as the strain energy increases by,
+   * Loads and ground do as much work as the strain energy increases by,
    * plus that of friction and damping, and the small elastic energy in the
    * springs of contact.
    *
    * Must be called on all ranks.
    *
    * @param before, after the start and the end of the step, both with a
-   * foundation or both without.
+   * ground or both without.
    */
   Work
   work_of_step(const ContactInteraction &contact,

@@ -28,7 +28,7 @@ namespace Biface
   {
     double              pressure = 0;
     std::vector<double> factors  = {0};
-    /** The rate of the travel of the foundation. */
+    /** The rate of the travel of the ground. */
     double travel = 0;
     /** The rate of the angular velocity of a rolling wheel, see Rolling. */
     double angular_velocity = 0;

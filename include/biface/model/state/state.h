@@ -91,7 +91,7 @@ namespace Biface
      * the axle during the step, so that each point has the past of the one
      * behind it; none where the material stays in its cells. Unit:
      * radians/time. */
-    std::optional<double> flow;
+    std::optional<double> transport_velocity;
 
     /** What happens between the shell and each body, by ContactPair::number;
      * the first body is the ground. */

@@ -235,10 +235,10 @@ namespace Biface
    * @param multiply the product with a symmetric positive semidefinite matrix,
    * for which they do. */
   void
-  settle_phases(std::vector<Eigenpair>                         &pairs,
-                const std::function<void(LA::Vector       &product,
-                                         const LA::Vector &x)> &multiply,
-                const std::vector<LA::Vector>                  &fields);
+  normalize_phases(std::vector<Eigenpair>                         &pairs,
+                   const std::function<void(LA::Vector       &product,
+                                            const LA::Vector &x)> &multiply,
+                   const std::vector<LA::Vector>                  &fields);
 
 
   /**

@@ -30,7 +30,7 @@ namespace Biface
    * error. In the residual itself, the stiffness of the contact and of the
    * thickness dominate.
    *
-   * Functions of the coarser meshes do not move nodes against the foundation
+   * Functions of the coarser meshes do not move nodes against the ground
    * that holds them, like the truncated functions of monotone multigrid
    * @cite Kornhuber1994. Such nodes are found by the forces that a rigid
    * translation of the shell exerts on them.
@@ -89,7 +89,7 @@ namespace Biface
       /** The interpolation from the next coarser level. */
       LA::SparseMatrix interpolation;
       /** The part of the interpolation that does not move nodes against the
-       * foundation; null if that is all of it. */
+       * ground; null if that is all of it. */
       std::unique_ptr<LA::SparseMatrix> truncated;
       std::unique_ptr<LA::SparseMatrix> coarse_matrix;
       /** Vectors in which cycle() works. */
@@ -129,7 +129,7 @@ namespace Biface
     cycle(const unsigned int level, LA::Vector &x, const LA::Vector &b) const;
 
     /** Find Level::truncated for the finest level.
-     * @return whether no node held by the foundation has a singular matrix, on
+     * @return whether no node held by the ground has a singular matrix, on
      * all ranks. */
     bool
     truncate_prolongation();

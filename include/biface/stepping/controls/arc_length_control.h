@@ -51,7 +51,7 @@ namespace Biface
     }
 
     std::string
-    exhausted() const override;
+    stop_reason() const override;
 
     Memory
     get_memory() const override;

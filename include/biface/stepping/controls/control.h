@@ -173,7 +173,7 @@ namespace Biface
     }
 
     /** The change of the loads over the whole stage, without the motions of the
-     * foundation. */
+     * ground. */
     LoadRates
     load_rate() const;
 
@@ -200,7 +200,7 @@ namespace Biface
     /** The message if the stage is incomplete but no more steps are allowed;
      * otherwise empty. */
     virtual std::string
-    exhausted() const
+    stop_reason() const
     {
       return {};
     }
@@ -302,7 +302,7 @@ namespace Biface
 
 
   /** Throw InputError for a stage with unknown loads, none of which changes, or
-   * in which the foundation or the ground under a wheel moves differently,
+   * in which the ground or the ground under a wheel moves differently,
    * too. */
   void
   check_loads_follow(const Stage &stage, const Control::KnownStart &start);

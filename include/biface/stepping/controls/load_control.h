@@ -7,7 +7,7 @@
 
 namespace Biface
 {
-  /** All loads and the travel of the foundation are prescribed in every step.
+  /** All loads and the travel of the ground are prescribed in every step.
    * The load parameter is the fraction of the stage. */
   class LoadControl : public EqualSteps
   {

@@ -13,7 +13,7 @@
 
 namespace Biface
 {
-  /** A resultant of the forces between shell and foundation, or another body,
+  /** A resultant of the forces between shell and ground, or another body,
    * that is prescribed, and the load that is computed instead. */
   class ControlledResultant
   {
@@ -98,7 +98,7 @@ namespace Biface
   };
 
 
-  /** Resultants of the foundation and of bodies are prescribed in every step,
+  /** Resultants of the ground and of bodies are prescribed in every step,
    * together with all loads but one for each of them, which is unknown. */
   class ResultantControl : public EqualSteps
   {
@@ -143,7 +143,7 @@ namespace Biface
   };
 
 
-  /** The force on the foundation is prescribed, its travel is unknown. */
+  /** The force on the ground is prescribed, its travel is unknown. */
   std::shared_ptr<const ControlledResultant>
   controlled_force();
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef biface_stepping_foundation_stiffness_h
-#define biface_stepping_foundation_stiffness_h
+#ifndef biface_stepping_stiffness_against_ground_h
+#define biface_stepping_stiffness_against_ground_h
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
@@ -12,9 +12,9 @@
 
 namespace Biface
 {
-  /** The force and moment that the foundation exerts on the shell, and the
+  /** The force and moment that the ground exerts on the shell, and the
    * level of loads at which it does. */
-  struct FoundationReaction
+  struct GroundReaction
   {
     LoadLevel            level;
     dealii::Tensor<1, 3> force;
@@ -31,11 +31,11 @@ namespace Biface
 
 
   /**
-   * The stiffness of the shell against a motion of the foundation: the change
-   * of what the foundation exerts on it, per length or per degree of the
+   * The stiffness of the shell against a motion of the ground: the change
+   * of what the ground exerts on it, per length or per degree of the
    * motion.
    */
-  struct FoundationStiffness
+  struct StiffnessAgainstGround
   {
     enum class Motion
     {
@@ -47,7 +47,7 @@ namespace Biface
     Motion motion = Motion::approach;
     /** A unit vector along the motion, or along the axis of the turn. */
     dealii::Tensor<1, 3> direction;
-    /** The distance or angle by which the foundation moves. Unit: length, or
+    /** The distance or angle by which the ground moves. Unit: length, or
      * degrees. */
     double amount = 0;
     /** The change of force and moment per unit of the motion. */
@@ -66,29 +66,29 @@ namespace Biface
   /** The stiffness of a step of a stage. */
   struct StepStiffness
   {
-    /** The reaction of the foundation at the start of the stage. */
-    FoundationReaction loaded;
+    /** The reaction of the ground at the start of the stage. */
+    GroundReaction loaded;
     /** The stiffness from the start of the stage to the end of the step. */
-    FoundationStiffness secant;
+    StiffnessAgainstGround secant;
     /** The stiffness from the start of the step to its end. */
-    FoundationStiffness tangent;
+    StiffnessAgainstGround tangent;
   };
 
 
   /**
    * The stiffness between two states of equilibrium.
    *
-   * @param outward the direction from the shell to the foundation, about which
-   * the foundation turns and against which it approaches.
+   * @param outward the direction from the shell to the ground, about which
+   * the ground turns and against which it approaches.
    * @param center the point to which the moments refer.
-   * @return nothing unless the foundation moves in exactly one way: it either
+   * @return nothing unless the ground moves in exactly one way: it either
    * approaches or slides or turns.
    */
-  std::optional<FoundationStiffness>
-  foundation_stiffness(const FoundationReaction   &from,
-                       const FoundationReaction   &to,
-                       const dealii::Tensor<1, 3> &outward,
-                       const dealii::Point<3>     &center);
+  std::optional<StiffnessAgainstGround>
+  stiffness_against_ground(const GroundReaction       &from,
+                           const GroundReaction       &to,
+                           const dealii::Tensor<1, 3> &outward,
+                           const dealii::Point<3>     &center);
 } // namespace Biface
 
 #endif

@@ -4,13 +4,13 @@
 
 #include <map>
 
-#include <biface/model/mesh/flow_lines.h>
+#include <biface/model/mesh/streamlines.h>
 
 namespace Biface
 {
   using namespace dealii;
 
-  FlowLines::FlowLines(const ShellMesh &mesh) : stencils(mesh.nodes.size())
+  Streamlines::Streamlines(const ShellMesh &mesh) : stencils(mesh.nodes.size())
   {
     const ChartGrid &grid = mesh.grid;
     if (!grid.closed)

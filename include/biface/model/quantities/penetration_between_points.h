@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef biface_model_quantities_depth_between_points_h
-#define biface_model_quantities_depth_between_points_h
+#ifndef biface_model_quantities_penetration_between_points_h
+#define biface_model_quantities_penetration_between_points_h
 
 
 namespace Biface
@@ -12,7 +12,7 @@ namespace Biface
 
 
   /** How far a body is in the shell between the points that make contact. */
-  struct DepthBetweenPoints
+  struct PenetrationBetweenPoints
   {
     /** The depth beyond the mean of the depths of the points around, and its
      * ratio to the thickness of wall and tread; 0 outside the body. */
@@ -24,10 +24,10 @@ namespace Biface
    * cells at the corners of their parts of the cell, with the depth at the
    * points extrapolated linearly, and 0 if there is a single one in a cell.
    * Must be called on all ranks. */
-  DepthBetweenPoints
-  depth_between_points(const ContactPair &pair,
-                       const State       &state,
-                       const Loads       &loads);
+  PenetrationBetweenPoints
+  penetration_between_points(const ContactPair &pair,
+                             const State       &state,
+                             const Loads       &loads);
 } // namespace Biface
 
 #endif

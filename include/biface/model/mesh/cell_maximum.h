@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef biface_model_mesh_largest_cell_h
-#define biface_model_mesh_largest_cell_h
+#ifndef biface_model_mesh_cell_maximum_h
+#define biface_model_mesh_cell_maximum_h
 
 #include <deal.II/base/types.h>
 
@@ -17,7 +17,7 @@ namespace Biface
    * within 1e-6 of the largest are taken as equal, so that round-off does not
    * decide between places that mirror each other; of these it is the element
    * with the lowest number, on any number of ranks. */
-  struct LargestCell
+  struct CellMaximum
   {
     /** The value of a cell that has none. */
     static constexpr double none = -std::numeric_limits<double>::infinity();
@@ -47,8 +47,8 @@ namespace Biface
   /** Find the cell with the largest value among all ranks; nothing if no cell
    * has a value. Must be called on all ranks.
    * @param values of the elements of this rank, see ShellMesh::cells. */
-  std::optional<LargestCell>
-  find_largest_cell(const ShellMesh &mesh, const std::vector<double> &values);
+  std::optional<CellMaximum>
+  find_cell_maximum(const ShellMesh &mesh, const std::vector<double> &values);
 } // namespace Biface
 
 #endif

@@ -5,9 +5,9 @@
 #include <map>
 
 #include <biface/contact/tangential_law.h>
+#include <biface/model/contact/contact_constraints.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
-#include <biface/model/contact/unit_multipliers.h>
 #include <biface/model/state/loads.h>
 
 namespace Biface
@@ -41,11 +41,11 @@ namespace Biface
   }
 
 
-  std::vector<UnitMultiplier>
-  unit_multipliers(const ContactInteraction        &contact,
-                   const State                     &state,
-                   const Loads                     &loads,
-                   const std::vector<ContactPoint> &points)
+  std::vector<ContactConstraint>
+  contact_constraints(const ContactInteraction        &contact,
+                      const State                     &state,
+                      const Loads                     &loads,
+                      const std::vector<ContactPoint> &points)
   {
     const ShellMesh &mesh = contact.mesh;
 
@@ -59,10 +59,10 @@ namespace Biface
       const Cell               *cell = nullptr;
       MixedElement::NodalVector of_cell;
     };
-    std::vector<Gradient>       gradients(points.size());
-    std::vector<double>         clearances(points.size(), 0.);
-    std::vector<UnitMultiplier> result(points.size());
-    for (UnitMultiplier &point : result)
+    std::vector<Gradient>          gradients(points.size());
+    std::vector<double>            clearances(points.size(), 0.);
+    std::vector<ContactConstraint> result(points.size());
+    for (ContactConstraint &point : result)
       point.forces = mesh.owned_vector();
     for (const auto &pair : contact.pairs)
       {

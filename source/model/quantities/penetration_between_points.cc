@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <biface/model/contact/contact_pair.h>
-#include <biface/model/quantities/depth_between_points.h>
+#include <biface/model/quantities/penetration_between_points.h>
 #include <biface/model/state/loads.h>
 
 namespace Biface
@@ -118,12 +118,12 @@ namespace Biface
   } // namespace
 
 
-  DepthBetweenPoints
-  depth_between_points(const ContactPair &pair,
-                       const State       &state,
-                       const Loads       &loads)
+  PenetrationBetweenPoints
+  penetration_between_points(const ContactPair &pair,
+                             const State       &state,
+                             const Loads       &loads)
   {
-    DepthBetweenPoints deepest;
+    PenetrationBetweenPoints deepest;
     if (!pair.body(loads) || pair.points.per_cell() == 1)
       return deepest;
     const ShellMesh &mesh = pair.mesh;

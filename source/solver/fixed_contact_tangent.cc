@@ -13,7 +13,7 @@
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/tangent_matrix.h>
 #include <biface/model/state/loads.h>
-#include <biface/solver/held_tangent.h>
+#include <biface/solver/fixed_contact_tangent.h>
 
 namespace Biface
 {
@@ -36,8 +36,9 @@ namespace Biface
     Loads
     with_bodies_that_stay(const Loads &loads)
     {
-      return rolls_with_friction(loads) ? loads
-                                        : HeldTangent::without_bodies(loads);
+      return rolls_with_friction(loads)
+               ? loads
+               : FixedContactTangent::without_bodies(loads);
     }
 
 
@@ -49,7 +50,7 @@ namespace Biface
                              TangentMatrix            &stiffness_of_contact)
     {
       for (const auto &[number, body] : loads.bodies)
-        body.laws.tangential().hold(state.contacts[number]);
+        body.laws.tangential().stick_all(state.contacts[number]);
       const ShellMesh &mesh    = contact.mesh;
       LA::Vector       nothing = mesh.owned_vector();
       for (const unsigned int c : mesh.walls)
@@ -140,18 +141,19 @@ namespace Biface
   } // namespace
 
 
-  HeldTangent::HeldTangent(ShellEquations           &equations,
-                           const ContactInteraction &contact,
-                           TimerOutput              &timer)
+  FixedContactTangent::FixedContactTangent(ShellEquations           &equations,
+                                           const ContactInteraction &contact,
+                                           TimerOutput              &timer)
     : equations(equations), contact(contact), timer(timer)
   {}
 
 
-  HeldTangent::~HeldTangent() = default;
+  FixedContactTangent::~FixedContactTangent() = default;
 
 
   const LA::SparseMatrix &
-  HeldTangent::stiffness_of_contact(const State &state, const Loads &loads)
+  FixedContactTangent::stiffness_of_contact(const State &state,
+                                            const Loads &loads)
   {
     if (!of_contact)
       of_contact =
@@ -163,9 +165,9 @@ namespace Biface
 
 
   void
-  HeldTangent::assemble(const State      &state,
-                        const Loads      &loads,
-                        LA::SparseMatrix &K)
+  FixedContactTangent::assemble(const State      &state,
+                                const Loads      &loads,
+                                LA::SparseMatrix &K)
   {
     TimerOutput::Scope scope(timer, "Assembly");
     Loads              now = with_bodies_that_stay(loads);
@@ -177,7 +179,9 @@ namespace Biface
 
 
   void
-  HeldTangent::hold(const State &state, const Loads &loads, LA::SparseMatrix &K)
+  FixedContactTangent::add_contact_stiffness(const State      &state,
+                                             const Loads      &loads,
+                                             LA::SparseMatrix &K)
   {
     if (with_bodies_that_stay(loads).bodies.size() == loads.bodies.size())
       return;
@@ -186,7 +190,7 @@ namespace Biface
 
 
   std::vector<RigidMotion>
-  HeldTangent::free_motions(const State &state, const Loads &loads)
+  FixedContactTangent::free_motions(const State &state, const Loads &loads)
   {
     if (loads.rolling)
       return {};
@@ -198,9 +202,9 @@ namespace Biface
 
 
   std::vector<RigidMotion>
-  HeldTangent::neutral_motions(const State            &state,
-                               const Loads            &loads,
-                               const LA::SparseMatrix &K)
+  FixedContactTangent::neutral_motions(const State            &state,
+                                       const Loads            &loads,
+                                       const LA::SparseMatrix &K)
   {
     // part of the resistance that is computed for a rotation, to which
     // interpolation in a curved shell contributes
@@ -229,7 +233,7 @@ namespace Biface
 
 
   Loads
-  HeldTangent::without_bodies(const Loads &loads)
+  FixedContactTangent::without_bodies(const Loads &loads)
   {
     Loads alone = loads;
     alone.bodies.clear();
@@ -238,21 +242,22 @@ namespace Biface
 
 
   bool
-  HeldTangent::is_symmetric(const Loads &loads, const LA::SparseMatrix &K) const
+  FixedContactTangent::is_symmetric(const Loads            &loads,
+                                    const LA::SparseMatrix &K) const
   {
     return equations.is_symmetric(with_bodies_that_stay(loads), K);
   }
 
 
   bool
-  HeldTangent::is_symmetric_but_for_loads(const Loads &loads) const
+  FixedContactTangent::is_symmetric_but_for_loads(const Loads &loads) const
   {
     return equations.is_symmetric_but_for_loads(with_bodies_that_stay(loads));
   }
 
 
   std::vector<LA::Vector>
-  unit_shapes(const ShellMesh &mesh, const std::vector<LA::Vector> &parts)
+  normalized_shapes(const ShellMesh &mesh, const std::vector<LA::Vector> &parts)
   {
     std::vector<LA::Vector> owned(parts), shapes;
     for (LA::Vector &part : owned)

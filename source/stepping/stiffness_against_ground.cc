@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <biface/stepping/foundation_stiffness.h>
+#include <biface/stepping/stiffness_against_ground.h>
 
 namespace Biface
 {
   using namespace dealii;
 
-  std::optional<FoundationStiffness>
-  foundation_stiffness(const FoundationReaction &from,
-                       const FoundationReaction &to,
-                       const Tensor<1, 3>       &outward,
-                       const Point<3>           &center)
+  std::optional<StiffnessAgainstGround>
+  stiffness_against_ground(const GroundReaction &from,
+                           const GroundReaction &to,
+                           const Tensor<1, 3>   &outward,
+                           const Point<3>       &center)
   {
-    using Motion = FoundationStiffness::Motion;
+    using Motion = StiffnessAgainstGround::Motion;
 
     // a stiffness is a force by a motion of the ground alone, in axes that do
     // not turn
@@ -31,7 +31,7 @@ namespace Biface
     if (n_motions != 1)
       return {};
 
-    FoundationStiffness result;
+    StiffnessAgainstGround result;
     if (approach != 0)
       {
         result.motion    = Motion::approach;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // On springs with a given stiffness matrix, the stiffness against each motion
-// of the foundation is a column of this matrix, with moments about the given
-// point. There is none if the foundation rests or moves in two ways at once.
+// of the ground is a column of this matrix, with moments about the given
+// point. There is none if the ground rests or moves in two ways at once.
 
 #include <deal.II/base/numbers.h>
 
 #include <cmath>
 
-#include <biface/stepping/foundation_stiffness.h>
+#include <biface/stepping/stiffness_against_ground.h>
 
 #include "../tests.h"
 
@@ -37,12 +37,12 @@ namespace
   const Point<3>     center(1, -2, 3);
 
   /** The forces and moments, about the center, of springs that couple all
-   * motions of the foundation, of which they resist those along the axes. */
-  FoundationReaction
+   * motions of the ground, of which they resist those along the axes. */
+  GroundReaction
   reaction(const LoadLevel &level)
   {
     const Tensor<1, 3> moved = level.slide - level.travel * outward;
-    FoundationReaction result;
+    GroundReaction     result;
     result.level = level;
     Tensor<1, 3> moment;
     for (unsigned int i = 0; i < 3; ++i)
@@ -60,7 +60,7 @@ namespace
   check(const std::string &name, const LoadLevel &from, const LoadLevel &to)
   {
     const auto found =
-      foundation_stiffness(reaction(from), reaction(to), outward, center);
+      stiffness_against_ground(reaction(from), reaction(to), outward, center);
     std::cout << name << ": ";
     if (found)
       std::cout << "amount " << found->amount << " along "

@@ -4,20 +4,20 @@
 
 #include <algorithm>
 
-#include <biface/model/mesh/largest_cell.h>
+#include <biface/model/mesh/cell_maximum.h>
 
 namespace Biface
 {
   using namespace dealii;
 
-  std::optional<LargestCell>
-  find_largest_cell(const ShellMesh &mesh, const std::vector<double> &values)
+  std::optional<CellMaximum>
+  find_cell_maximum(const ShellMesh &mesh, const std::vector<double> &values)
   {
-    LargestCell largest;
+    CellMaximum largest;
     for (const double value : values)
       largest.value = std::max(largest.value, value);
     largest.value = Utilities::MPI::max(largest.value, mesh.communicator);
-    if (largest.value == LargestCell::none)
+    if (largest.value == CellMaximum::none)
       return {};
 
     auto first = std::numeric_limits<types::global_cell_index>::max();

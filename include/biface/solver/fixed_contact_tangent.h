@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef biface_solver_held_tangent_h
-#define biface_solver_held_tangent_h
+#ifndef biface_solver_fixed_contact_tangent_h
+#define biface_solver_fixed_contact_tangent_h
 
 #include <deal.II/base/timer.h>
 
@@ -28,20 +28,20 @@ namespace Biface
    * The nodes in contact are held along the normal of the body by the
    * penalty stiffness of the contact condition, with the lumped mortar matrix,
    * so that contact never makes the tangent unsymmetric. With friction, they
-   * also stick to the body; see TangentialLaw::hold(). While
+   * also stick to the body; see TangentialLaw::stick_all(). While
    * the shell rolls, the whole tangent of the contact is part of it instead:
    * friction follows from the slip velocity, needs the lumped mortar matrix,
    * and makes the tangent unsymmetric.
    */
-  class HeldTangent
+  class FixedContactTangent
   {
   public:
     /** The objects are kept by reference. */
-    HeldTangent(ShellEquations           &equations,
-                const ContactInteraction &contact,
-                dealii::TimerOutput      &timer);
+    FixedContactTangent(ShellEquations           &equations,
+                        const ContactInteraction &contact,
+                        dealii::TimerOutput      &timer);
 
-    ~HeldTangent();
+    ~FixedContactTangent();
 
     /** Compute the tangent of the shell without the bodies, or with them if it
      * rolls with friction. The last assembly of the equations is lost. */
@@ -51,7 +51,9 @@ namespace Biface
     /** Add the stiffness that holds the nodes in contact, if there are bodies,
      * and if assemble() has not. */
     void
-    hold(const State &state, const Loads &loads, LA::SparseMatrix &K);
+    add_contact_stiffness(const State      &state,
+                          const Loads      &loads,
+                          LA::SparseMatrix &K);
 
     /** The rigid motions of the shell that neither supports nor bodies
      * resist; none while it rolls. */
@@ -98,7 +100,8 @@ namespace Biface
    * largest displacement of a face is 1, its square the sum of those of the
    * parts. */
   std::vector<LA::Vector>
-  unit_shapes(const ShellMesh &mesh, const std::vector<LA::Vector> &parts);
+  normalized_shapes(const ShellMesh               &mesh,
+                    const std::vector<LA::Vector> &parts);
 } // namespace Biface
 
 #endif

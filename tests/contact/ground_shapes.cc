@@ -2,7 +2,7 @@
 
 // The clearance of a solid or hollow drum or sphere is the distance from its
 // surface, the normal is minus its gradient, and the derivative of the normal
-// is minus its second derivative; after the travel to a point the foundation
+// is minus its second derivative; after the travel to a point the ground
 // touches it. With a huge radius all agree with a plane to the last digits.
 
 #include <biface/contact/body_shapes.h>
@@ -41,13 +41,13 @@ namespace
        const Distance                        &distance)
   {
     const double    travel = 0.3, step = 1e-5;
-    const RigidBody foundation = RigidBody(shape).moved(travel);
+    const RigidBody ground = RigidBody(shape).moved(travel);
 
     double clearance = 0, unit = 0, normal = 0, gradient = 0, touch = 0;
     for (unsigned int i = 0; i < 10; ++i)
       {
         const Point<3>  x  = some_point(i);
-        const BodyPoint at = foundation.evaluate(x);
+        const BodyPoint at = ground.evaluate(x);
         clearance          = std::max(
           clearance,
           std::abs(at.clearance - distance(x + travel * shape->direction)));
@@ -56,8 +56,8 @@ namespace
           {
             Tensor<1, 3> e;
             e[j]               = step;
-            const auto forward = foundation.evaluate(x + e);
-            const auto back    = foundation.evaluate(x - e);
+            const auto forward = ground.evaluate(x + e);
+            const auto back    = ground.evaluate(x - e);
             normal             = std::max(
               normal,
               std::abs((forward.clearance - back.clearance) / (2 * step) +
@@ -70,8 +70,7 @@ namespace
               ((forward.normal - back.normal) / (2 * step) - column).norm());
           }
         touch = std::max(
-          touch,
-          std::abs(foundation.moved(foundation.travel_to(x)).clearance(x)));
+          touch, std::abs(ground.moved(ground.travel_to(x)).clearance(x)));
       }
     std::cout << name << std::endl;
     check_small("  clearance", clearance, 1e-13);

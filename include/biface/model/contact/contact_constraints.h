@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef biface_model_contact_unit_multipliers_h
-#define biface_model_contact_unit_multipliers_h
+#ifndef biface_model_contact_contact_constraints_h
+#define biface_model_contact_contact_constraints_h
 
 #include <deal.II/base/types.h>
 
@@ -32,7 +32,7 @@ namespace Biface
 
   /** The effect of a unit contact multiplier at a point on the shell, along the
    * normal of the body there. */
-  struct UnitMultiplier
+  struct ContactConstraint
   {
     /** The forces per unit of the multiplier, without those at supports. */
     LA::Vector forces;
@@ -50,11 +50,11 @@ namespace Biface
 
   /** The unit multipliers of the given points, whose bodies are there. Must be
    * called on all ranks. */
-  std::vector<UnitMultiplier>
-  unit_multipliers(const ContactInteraction        &contact,
-                   const State                     &state,
-                   const Loads                     &loads,
-                   const std::vector<ContactPoint> &points);
+  std::vector<ContactConstraint>
+  contact_constraints(const ContactInteraction        &contact,
+                      const State                     &state,
+                      const Loads                     &loads,
+                      const std::vector<ContactPoint> &points);
 } // namespace Biface
 
 #endif

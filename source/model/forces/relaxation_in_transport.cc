@@ -11,7 +11,7 @@
 #include <biface/input/parameter_tools.h>
 #include <biface/laminate/layup.h>
 #include <biface/laminate/relaxation.h>
-#include <biface/model/forces/relaxation_in_flow.h>
+#include <biface/model/forces/relaxation_in_transport.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/model/state/state.h>
 
@@ -34,14 +34,14 @@ namespace Biface
 
     /** Particles move against alpha_2 if the wheel rolls forward. */
     bool
-    flows_against_chart(const double angular_velocity)
+    transport_is_against_chart(const double angular_velocity)
     {
       return angular_velocity >= 0;
     }
   } // namespace
 
 
-  class RelaxationInFlow::Ring
+  class RelaxationInTransport::Ring
   {
   public:
     Ring(const unsigned int n_cells, const unsigned int n_per_point)
@@ -112,8 +112,8 @@ namespace Biface
   };
 
 
-  RelaxationInFlow::RelaxationInFlow(const ShellMesh                   &mesh,
-                                     const std::vector<NonlinearPlies> &plies)
+  RelaxationInTransport::RelaxationInTransport(
+    const ShellMesh &mesh, const std::vector<NonlinearPlies> &plies)
     : mesh(mesh), plies(plies), own_cells(mesh.strips.size())
   {
     columns.resize(mesh.strips.size());
@@ -128,18 +128,18 @@ namespace Biface
 
 
   const std::vector<RelaxingStress> &
-  RelaxationInFlow::relaxing(const unsigned int strip) const
+  RelaxationInTransport::relaxing(const unsigned int strip) const
   {
     return plies[strip].relaxing_stresses();
   }
 
 
   std::vector<double>
-  RelaxationInFlow::temperatures(const State       &state,
-                                 const unsigned int strip) const
+  RelaxationInTransport::temperatures(const State       &state,
+                                      const unsigned int strip) const
   {
     const auto found = state.terms.find("heat");
-    if (!state.flow || found == state.terms.end())
+    if (!state.transport_velocity || found == state.terms.end())
       return {};
     const unsigned int  n_plies = mesh.get_layup().get_plies().size();
     std::vector<double> result;
@@ -151,9 +151,9 @@ namespace Biface
 
 
   HistoryOfPlies
-  RelaxationInFlow::history(const State            &state,
-                            const Table<2, double> &internal,
-                            const unsigned int      c) const
+  RelaxationInTransport::history(const State            &state,
+                                 const Table<2, double> &internal,
+                                 const unsigned int      c) const
   {
     return {&internal(c, 0),
             steps(state, mesh.cells[c]),
@@ -162,9 +162,9 @@ namespace Biface
 
 
   TimeStep
-  RelaxationInFlow::step_to(const State       &state,
-                            const unsigned int around,
-                            const unsigned int second) const
+  RelaxationInTransport::step_to(const State       &state,
+                                 const unsigned int around,
+                                 const unsigned int second) const
   {
     // of a cell, between a Gauss point and the next edge
     static const double part = (1 - 1 / std::sqrt(3.)) / 2;
@@ -174,20 +174,21 @@ namespace Biface
     const auto                 size  = [&](const unsigned int j) {
       return lines[j % n + 1] - lines[j % n];
     };
-    const bool   descends = flows_against_chart(*state.flow);
+    const bool descends = transport_is_against_chart(*state.transport_velocity);
     const double angle =
       (second == 1) != descends
         ? (1 - 2 * part) * size(around)
         : part * (size(around) + size(around + (descends ? 1 : n - 1)));
-    return {angle / std::abs(*state.flow), state.time_step.temperature};
+    return {angle / std::abs(*state.transport_velocity),
+            state.time_step.temperature};
   }
 
 
   std::array<TimeStep, Modes::n_gauss_points>
-  RelaxationInFlow::steps(const State &state, const Cell &cell) const
+  RelaxationInTransport::steps(const State &state, const Cell &cell) const
   {
     std::array<TimeStep, Modes::n_gauss_points> result;
-    if (!state.flow)
+    if (!state.transport_velocity)
       {
         result.fill(state.time_step);
         return result;
@@ -200,10 +201,10 @@ namespace Biface
   }
 
 
-  RelaxationInFlow::Ring
-  RelaxationInFlow::gather(const unsigned int strip,
-                           const unsigned int n_per_point,
-                           const Fill        &fill) const
+  RelaxationInTransport::Ring
+  RelaxationInTransport::gather(const unsigned int strip,
+                                const unsigned int n_per_point,
+                                const Fill        &fill) const
   {
     Ring                ring(mesh.grid.n_cells(1), n_per_point);
     std::vector<double> values(n_per_point * Modes::n_gauss_points);
@@ -217,11 +218,12 @@ namespace Biface
   }
 
 
-  RelaxationInFlow::Lines
-  RelaxationInFlow::lines(const State &state, const unsigned int strip) const
+  RelaxationInTransport::Lines
+  RelaxationInTransport::lines(const State       &state,
+                               const unsigned int strip) const
   {
-    const unsigned int        n        = 2 * mesh.grid.n_cells(1);
-    const bool                descends = flows_against_chart(*state.flow);
+    const unsigned int n = 2 * mesh.grid.n_cells(1);
+    const bool descends = transport_is_against_chart(*state.transport_velocity);
     const std::vector<double> of_plies = temperatures(state, strip);
     Lines                     result{{}, {}};
     for (unsigned int k = 0; k < n; ++k)
@@ -243,10 +245,10 @@ namespace Biface
   }
 
 
-  RelaxationInFlow::Ring
-  RelaxationInFlow::internal_variables(const Lines       &lines,
-                                       const unsigned int strip,
-                                       const Ring        &elastic) const
+  RelaxationInTransport::Ring
+  RelaxationInTransport::internal_variables(const Lines       &lines,
+                                            const unsigned int strip,
+                                            const Ring        &elastic) const
   {
     unsigned int n_per_point = 0;
     for (const RelaxingStress &stress : relaxing(strip))
@@ -280,16 +282,18 @@ namespace Biface
 
 
   std::string
-  RelaxationInFlow::set_internal_variables(const Strains    &strains,
-                                           const State      &state,
-                                           Table<2, double> &internal) const
+  RelaxationInTransport::set_internal_variables(
+    const Strains    &strains,
+    const State      &state,
+    Table<2, double> &internal) const
   {
     // change of the stresses in the last round, which shrink by a fraction of
     // what relaxes in each
     constexpr double       small_change = 1e-12;
     constexpr unsigned int max_rounds   = 100;
 
-    const int behind = flows_against_chart(*state.flow) ? 1 : -1;
+    const int behind =
+      transport_is_against_chart(*state.transport_velocity) ? 1 : -1;
     for (unsigned int strip = 0; strip < mesh.strips.size(); ++strip)
       {
         const std::vector<double> of_plies = temperatures(state, strip);
@@ -352,9 +356,9 @@ namespace Biface
 
 
   std::vector<std::vector<double>>
-  RelaxationInFlow::losses(const Strains          &strains,
-                           const Table<2, double> &internal,
-                           const double            angular_velocity) const
+  RelaxationInTransport::losses(const Strains          &strains,
+                                const Table<2, double> &internal,
+                                const double            angular_velocity) const
   {
     std::vector<std::vector<double>> result(mesh.cells.size());
     for (unsigned int strip = 0; strip < mesh.strips.size(); ++strip)
@@ -406,7 +410,7 @@ namespace Biface
                         (here[i] + next[i]) / 2 * (next[n + i] - here[n + i]);
                   }
                 of_plies[stress.ply] +=
-                  (flows_against_chart(angular_velocity) ? -1 : 1) *
+                  (transport_is_against_chart(angular_velocity) ? -1 : 1) *
                   stress.thickness * energy / n_rows;
               }
             position += stress.n_components;
@@ -418,45 +422,48 @@ namespace Biface
   }
 
 
-  /** See RelaxationInFlow::stiffness(). */
-  class RelaxationInFlow::Stiffness : public NonlocalStiffness
+  /** See RelaxationInTransport::stiffness(). */
+  class RelaxationInTransport::Stiffness : public NonlocalStiffness
   {
   public:
-    Stiffness(const RelaxationInFlow &flow,
-              const Strains          &strains,
-              const State            &state,
-              const Table<2, double> &internal)
-      : flow(flow), state(state), changes(flow.mesh.cells.size())
+    Stiffness(const RelaxationInTransport &transport,
+              const Strains               &strains,
+              const State                 &state,
+              const Table<2, double>      &internal)
+      : transport(transport), state(state), changes(transport.mesh.cells.size())
     {
-      for (unsigned int strip = 0; strip < flow.own_cells.size(); ++strip)
-        lines.push_back(flow.lines(state, strip));
-      for (unsigned int strip = 0; strip < flow.own_cells.size(); ++strip)
-        if (!flow.relaxing(strip).empty())
-          for (const unsigned int c : flow.own_cells[strip])
+      for (unsigned int strip = 0; strip < transport.own_cells.size(); ++strip)
+        lines.push_back(transport.lines(state, strip));
+      for (unsigned int strip = 0; strip < transport.own_cells.size(); ++strip)
+        if (!transport.relaxing(strip).empty())
+          for (const unsigned int c : transport.own_cells[strip])
             changes[c] = std::make_unique<NonlinearPlies::Changes>(
-              flow.plies[strip], strains(c), flow.history(state, internal, c));
+              transport.plies[strip],
+              strains(c),
+              transport.history(state, internal, c));
     }
 
 
     void
     vmult(LA::Vector &product, const LA::Vector &x) const override
     {
-      const ShellMesh &mesh = flow.mesh;
+      const ShellMesh &mesh = transport.mesh;
       LA::Vector       dV   = mesh.ghosted_vector();
       dV                    = x;
       LA::Vector forces     = mesh.owned_vector();
-      const int  behind     = flows_against_chart(*state.flow) ? 1 : -1;
-      for (unsigned int strip = 0; strip < flow.own_cells.size(); ++strip)
+      const int  behind =
+        transport_is_against_chart(*state.transport_velocity) ? 1 : -1;
+      for (unsigned int strip = 0; strip < transport.own_cells.size(); ++strip)
         {
-          if (flow.relaxing(strip).empty())
+          if (transport.relaxing(strip).empty())
             continue;
           const auto element = [&](const unsigned int c) {
             return MixedElement(
               mesh.cells[c].geometry,
               mesh.cell_values(state.displacement, mesh.cells[c]));
           };
-          const std::vector<unsigned int> &own   = flow.own_cells[strip];
-          const NonlinearPlies            &plies = flow.plies[strip];
+          const std::vector<unsigned int> &own   = transport.own_cells[strip];
+          const NonlinearPlies            &plies = transport.plies[strip];
           std::vector<Modes::Vector>       dE;
           for (const unsigned int c : own)
             dE.push_back(
@@ -470,7 +477,7 @@ namespace Biface
           for (unsigned int round = 0; round < n_rounds; ++round)
             {
               unsigned int next    = 0;
-              const Ring   elastic = flow.gather(
+              const Ring   elastic = transport.gather(
                 strip,
                 plies.n_relaxing_components(),
                 [&](const unsigned int c, std::vector<double> &values) {
@@ -478,11 +485,11 @@ namespace Biface
                   ++next;
                 });
               const Ring variables =
-                flow.internal_variables(lines[strip], strip, elastic);
+                transport.internal_variables(lines[strip], strip, elastic);
               for (unsigned int i = 0; i < own.size(); ++i)
                 {
                   const std::vector<double> internal =
-                    variables.of_neighbors(flow.around(own[i]), behind);
+                    variables.of_neighbors(transport.around(own[i]), behind);
                   added[i] = changes[own[i]]->added_stresses(internal.data());
                 }
             }
@@ -499,8 +506,8 @@ namespace Biface
     }
 
   private:
-    const RelaxationInFlow &flow;
-    const State            &state;
+    const RelaxationInTransport &transport;
+    const State                 &state;
     /** By strip. */
     std::vector<Lines> lines;
     /** By cell; null for those of other ranks and without relaxation. */
@@ -509,9 +516,9 @@ namespace Biface
 
 
   std::unique_ptr<const NonlocalStiffness>
-  RelaxationInFlow::stiffness(const Strains          &strains,
-                              const State            &state,
-                              const Table<2, double> &internal) const
+  RelaxationInTransport::stiffness(const Strains          &strains,
+                                   const State            &state,
+                                   const Table<2, double> &internal) const
   {
     return std::make_unique<Stiffness>(*this, strains, state, internal);
   }

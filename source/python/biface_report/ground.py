@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The rigid foundation: a plane, a drum or a sphere, where it stands in a step."""
+"""The rigid ground: a plane, a drum or a sphere, where it stands in a step."""
 
 import numpy as np
 
@@ -7,11 +7,11 @@ import numpy as np
 PATCH_CELLS = 48
 
 
-class Foundation:
+class Ground:
     """The shape, its direction, and how far it has traveled against it.
 
     shape is 'plane', 'drum' or 'sphere'. A negative radius is that of a hollow
-    drum or sphere. At the travel 0 the foundation touches the point, and the
+    drum or sphere. At the travel 0 the ground touches the point, and the
     direction is its normal there, or nearest to it for an oblique drum."""
 
     def __init__(self, shape, direction, point=(0, 0, 0), radius=1.0,
@@ -29,7 +29,7 @@ class Foundation:
         return hollow + self.shape
 
     def at_clearances(self, points, clearances):
-        """The same foundation with the travel that gives points, one a row,
+        """The same ground with the travel that gives points, one a row,
         their clearances."""
         ahead = (self.point - points) @ self.direction - clearances
         if self.shape != "plane":
@@ -40,12 +40,12 @@ class Foundation:
             rest = half**2 - ((a * a).sum(-1)
                               - (self.radius + clearances)**2) / (b @ b)
             ahead = -half - np.sign(self.radius) * np.sqrt(np.maximum(rest, 0))
-        return Foundation(self.shape, self.direction, self.point, self.radius,
+        return Ground(self.shape, self.direction, self.point, self.radius,
                           self.axis, float(np.median(ahead)))
 
     def clearance(self, points):
         """The distance of points, one a row, from the surface: negative within
-        the foundation."""
+        the ground."""
         if self.shape == "plane":
             return (self._nearest() - points) @ self.direction
         distance = np.linalg.norm(self._across(self._center() - points), axis=-1)
@@ -61,8 +61,8 @@ class Foundation:
         """A part of the surface: a grid of points, of the shape n x m x 3.
 
         low and high are corners of a rectangle in the plane that touches the
-        foundation, products of points with the patch_axes(). It is wrapped round
-        the foundation, at most once: lengths along its middle lines are kept."""
+        ground, products of points with the patch_axes(). It is wrapped round
+        the ground, at most once: lengths along its middle lines are kept."""
         first, second = self.patch_axes()
         reach = {"plane": np.inf, "drum": np.pi * abs(self.radius) * np.array(
             [1, np.inf]), "sphere": np.pi * abs(self.radius)}[self.shape]
@@ -108,8 +108,8 @@ def unit(vector):
     return np.array(vector, dtype=float) / np.linalg.norm(vector)
 
 
-def foundation_of(run):
-    """The foundation of a run before it travels, or None where parameters.prm
+def ground_of(run):
+    """The ground of a run before it travels, or None where parameters.prm
     does not tell."""
     direction = run.numbers("Contact/Direction", 3)
     point = run.numbers("Contact/Point on path", 3)
@@ -117,24 +117,24 @@ def foundation_of(run):
     if direction is None or point is None or not np.any(direction):
         return None
     if shape == "plane":
-        return Foundation(shape, direction, point)
+        return Ground(shape, direction, point)
     radius = run.numbers(f"Contact/{shape.capitalize()}/Radius", 1)
     if shape == "sphere" and radius is not None:
-        return Foundation(shape, direction, point, radius[0])
+        return Ground(shape, direction, point, radius[0])
     axis = run.numbers("Contact/Drum/Axis", 3)
     if shape == "drum" and radius is not None and axis is not None:
-        return Foundation(shape, direction, point, radius[0], axis)
+        return Ground(shape, direction, point, radius[0], axis)
     return None
 
 
-def foundation_in_step(run, step=None):
-    """The foundation where it stands in a step, or None where that is unknown:
+def ground_in_step(run, step=None):
+    """The ground where it stands in a step, or None where that is unknown:
     the clearances of the nodes near it tell."""
-    foundation = foundation_of(run)
-    contact = run.contact(step) if foundation else None
+    ground = ground_of(run)
+    contact = run.contact(step) if ground else None
     if contact is None or len(contact) == 0:
         return None
-    return foundation.at_clearances(contact.positions(), contact["clearance"])
+    return ground.at_clearances(contact.positions(), contact["clearance"])
 
 
 def plane_axes(normal):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 
-# Patches and section lines of a foundation lie on it, and clearances tell how far
+# Patches and section lines of a ground lie on it, and clearances tell how far
 # it has traveled.
 
 import sys
@@ -12,32 +12,32 @@ sys.path.insert(0, str(PACKAGE))
 
 import numpy as np
 from biface import Table
-from biface_report.foundation import Foundation
+from biface_report.ground import Ground
 from biface_report.section import SectionPlane
 
 DIRECTION, POINT, TRAVEL = np.array([2.0, 0.3, -1]), np.array([4.0, -7, 2]), 3.5
 UNIT = DIRECTION / np.linalg.norm(DIRECTION)
 
 
-def center(foundation, normal):
+def center(ground, normal):
     """Of a drum or a sphere that has traveled."""
-    return POINT - TRAVEL * UNIT + foundation.radius * normal
+    return POINT - TRAVEL * UNIT + ground.radius * normal
 
 
-def exact_clearance(foundation, points):
+def exact_clearance(ground, points):
     """From the definition of the shape."""
-    if foundation.shape == "plane":
+    if ground.shape == "plane":
         return (POINT - points) @ UNIT - TRAVEL
-    if foundation.shape == "sphere":
-        distance = np.linalg.norm(points - center(foundation, UNIT), axis=-1)
+    if ground.shape == "sphere":
+        distance = np.linalg.norm(points - center(ground, UNIT), axis=-1)
     else:
         # the distance from a line
-        axis = foundation.axis
+        axis = ground.axis
         normal = UNIT - (UNIT @ axis) * axis
         normal /= np.linalg.norm(normal)
         distance = np.linalg.norm(
-            np.cross(points - center(foundation, normal), axis), axis=-1)
-    return np.sign(foundation.radius) * distance - foundation.radius
+            np.cross(points - center(ground, normal), axis), axis=-1)
+    return np.sign(ground.radius) * distance - ground.radius
 
 
 # a section in the plane y = -7, in which the traveling point starts
@@ -51,7 +51,7 @@ rng = np.random.default_rng(1)
 for shape, radius in (("plane", 1), ("drum", 60), ("drum", -60), ("sphere", 45),
                       ("sphere", -45)):
     name = f"the {shape} of radius {radius}"
-    start, moved = (Foundation(shape, DIRECTION, POINT, radius, [0.2, 1, 0.1], travel)
+    start, moved = (Ground(shape, DIRECTION, POINT, radius, [0.2, 1, 0.1], travel)
                     for travel in (0, TRAVEL))
     # points on the side of the shell
     points = POINT - TRAVEL * UNIT - 2 * UNIT + rng.uniform(-5, 5, (20, 3))

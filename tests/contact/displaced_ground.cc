@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// A foundation that slides and turns, and goes around the axle of a wheel,
+// A ground that slides and turns, and goes around the axle of a wheel,
 // carries its points along: a point that moves with it keeps its clearance, its
 // normal and tangents turn with it, and the derivatives of clearance and normal
 // are those of differences.
@@ -33,7 +33,7 @@ namespace
     const Tensor<2, 3> R      = R_y * R_d;
     const RigidBody    before = RigidBody(shape).moved(0.3);
     const RigidBody    after =
-      before.displaced(slide, turn, pivot).around(axle, around);
+      before.displaced(slide, turn, pivot).rotated(axle, around);
 
     std::cout << name << (around == 0 ? "" : ", around the axle") << std::endl;
     double carried = 0, clearance = 0, normal = 0, tangents = 0, unit = 0,

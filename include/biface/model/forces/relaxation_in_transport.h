@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef biface_model_forces_relaxation_in_flow_h
-#define biface_model_forces_relaxation_in_flow_h
+#ifndef biface_model_forces_relaxation_in_transport_h
+#define biface_model_forces_relaxation_in_transport_h
 
 #include <deal.II/base/table.h>
 
@@ -37,18 +37,18 @@ namespace Biface
    *
    * All functions but history() must be called on all ranks.
    */
-  class RelaxationInFlow
+  class RelaxationInTransport
   {
   public:
     /** The relaxation in the plies of a mesh. The objects are kept by
      * reference.
      * @param plies by ShellMesh::strips. */
-    RelaxationInFlow(const ShellMesh                   &mesh,
-                     const std::vector<NonlinearPlies> &plies);
+    RelaxationInTransport(const ShellMesh                   &mesh,
+                          const std::vector<NonlinearPlies> &plies);
 
     /** The internal variables of a cell with the step in which the material
      * flows to each of its Gauss points from the one behind it, or with the
-     * step of the state if it does not flow. */
+     * step of the state if it does not transport. */
     HistoryOfPlies
     history(const State                    &state,
             const dealii::Table<2, double> &internal,

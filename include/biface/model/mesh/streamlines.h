@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef biface_model_mesh_flow_lines_h
-#define biface_model_mesh_flow_lines_h
+#ifndef biface_model_mesh_streamlines_h
+#define biface_model_mesh_streamlines_h
 
 #include <array>
 #include <optional>
@@ -25,12 +25,12 @@ namespace Biface
    * constant tractions is that of the ends of the line. The differences of a
    * cell alone would give two slip velocities at the two ends of a segment.
    */
-  class FlowLines
+  class Streamlines
   {
   public:
     /** The flow lines of a mesh, which has some only if its surface is closed.
      * @param mesh any mesh; only one of a closed surface has flow lines. */
-    explicit FlowLines(const ShellMesh &mesh);
+    explicit Streamlines(const ShellMesh &mesh);
 
     /** The neighbors of a node along its line, behind and ahead in the
      * direction of @f$\varphi@f$. */

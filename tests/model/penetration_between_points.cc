@@ -2,7 +2,7 @@
 
 // A bar that touches two lines of nodes, or of points in cells, of a flat plate
 // is in the plate between them by the sagitta of its circle, and a plane is
-// nowhere deeper than at the nodes or points. They are not on the foundation,
+// nowhere deeper than at the nodes or points. They are not on the ground,
 // so that no tread lies between them and the plate.
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
-#include <biface/model/quantities/depth_between_points.h>
+#include <biface/model/quantities/penetration_between_points.h>
 #include <biface/model/state/loads.h>
 #include <biface/problem/parameters.h>
 #include <biface/problem/shell_model.h>
@@ -60,9 +60,10 @@ main(int argc, char *argv[])
                     {contact.pairs[i]->moving_body.after_motions(
                        {0.}, [](const RigidBody &body) { return body; }),
                      contact.pairs[i]->laws()});
-      const auto of_bar = depth_between_points(*contact.pairs[1], state, loads),
+      const auto of_bar =
+                   penetration_between_points(*contact.pairs[1], state, loads),
                  of_plane =
-                   depth_between_points(*contact.pairs[2], state, loads);
+                   penetration_between_points(*contact.pairs[2], state, loads);
       if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
         continue;
       // from the circle through the nodes or points

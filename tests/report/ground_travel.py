@@ -11,7 +11,7 @@ sys.path.insert(0, str(PACKAGE))
 
 import numpy as np
 from biface import Results
-from biface_report.foundation import foundation_in_step
+from biface_report.ground import ground_in_step
 
 for name, words in (("drum", "drum"), ("sphere", "sphere"),
                     ("hollow_sphere", "hollow sphere")):
@@ -25,9 +25,9 @@ for name, words in (("drum", "drum"), ("sphere", "sphere"),
     check(len(approach) > 1, f"{name} has {len(approach)} steps in contact")
     starts = []
     for step, travel in approach.items():
-        foundation, contact = foundation_in_step(run, step), run.contact(step)
-        error = np.abs(foundation.clearance(contact.positions())
+        ground, contact = ground_in_step(run, step), run.contact(step)
+        error = np.abs(ground.clearance(contact.positions())
                        - contact["clearance"]).max()
         check(error < 1e-7, f"{name}, step {step}: clearances are off by {error}")
-        starts.append(foundation.travel - travel)
+        starts.append(ground.travel - travel)
     check(np.ptp(starts) < 1e-7, f"{name} starts from {starts}")
