@@ -192,7 +192,7 @@ with(std::vector<std::string> words, const std::vector<std::string> &settings)
 
 inline const std::string no_vtu = "Output/Write VTU=false";
 
-/** coarse_tire on a ground softer than the default: round-off in clearances
+/** coarse_tire on ground softer than the default: round-off in clearances
  * affects the forces less, and ranks agree in more digits. */
 inline const std::vector<std::string> soft_tire =
   with(coarse_tire, {"Contact/Regularization=1e3"});

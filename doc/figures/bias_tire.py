@@ -38,7 +38,7 @@ APPROACHES = (4, 12, 20)
 # Readings of the paper: directory of the results, what is different
 READINGS = {
     "nonlinear": "as shipped",
-    "lumped": "lumped multiplier mass",
+    "lumped": "lumped mortar matrix",
     "asymmetric": "law of the thickness strain `asymmetric`",
     "prestress": "inflated state as initial resultants",
     "undeformed": "Δ from the tire before inflation",
@@ -202,7 +202,7 @@ def draw_load_deflection(runs, output):
     plot_curve(axes, runs.linear, color=RED, label="linear theory")
     plot_curve(axes, runs.nonlinear, color=BLUE, label="nonlinear theory")
     plot_curve(axes, runs.lumped, color="black", linewidth=0.9, linestyle="--",
-               label="nonlinear theory, lumped multiplier mass")
+               label="nonlinear theory, lumped mortar matrix")
     axes.plot(list(INDEPENDENT_FORCES), list(INDEPENDENT_FORCES.values()), "o",
               markersize=7, markerfacecolor="white", markeredgecolor=BLUE,
               markeredgewidth=1.6,
@@ -277,7 +277,7 @@ def draw_pressure(runs, output):
     smooth = read_profile(runs.lumped, 20)
     axes.plot(smooth["alpha_1"], smooth["pressure"], color="black",
               linewidth=0.9, linestyle="--",
-              label="Δ = 20 mm, lumped\nmultiplier mass")
+              label="Δ = 20 mm, lumped\nmortar matrix")
     column = {psi: value for (psi, three_phi), value
               in read_table(runs.table).items() if three_phi == 0}
     axes.plot(list(column), list(column.values()), "o", markersize=8,

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The mesh error of the force on the bias tire at 20 mm.
 
-Reads the results of prm/bias_tire.prm on three meshes with each multiplier mass,
+Reads the results of prm/bias_tire.prm on three meshes with each mortar matrix,
 and writes
 
     mesh_error.png        the force against the square of the element size
@@ -61,7 +61,7 @@ def draw(forces, output):
         axes.plot(h**2, result.limit + (result.values[0] - result.limit)
                   * h**result.order, color=color, linewidth=1.2)
         axes.plot(size**2, result.values, "o", color=color,
-                  label=f"{mass} multiplier mass, order {result.order:.2f}")
+                  label=f"{mass} mortar matrix, order {result.order:.2f}")
         axes.plot(0, result.limit, "o", color=color, markersize=8,
                   markerfacecolor="white", markeredgewidth=1.6, clip_on=False,
                   zorder=4)

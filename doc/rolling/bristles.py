@@ -15,7 +15,7 @@ import numpy as np
 from slow_rolling import TREAD, Runs
 
 COMMON = {"Contact/Multiplier mass": "lumped"}
-# tangential and normal regularization; None for 'automatic'
+# tangential and penalty stiffness; None for 'automatic'
 SPRINGS = ((1e4, None), (0.075, None), (1e4, 0.3), (0.3, 0.3), (0.15, 0.3),
            (0.075, 0.3))
 ANGLES = tuple(range(-6, 0)) + tuple(range(1, 7))

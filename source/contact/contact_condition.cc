@@ -30,14 +30,15 @@ namespace Biface
   void
   ContactCondition::Parameters::add_parameters(EntryDeclarations &prm)
   {
-    add_choice(prm,
-               "Multiplier mass",
-               mortar_matrix,
-               {"consistent", "lumped"},
-               "Matrix from nodal contact pressures to nodal forces: "
-               "'lumped' (that of dual basis functions: smooth pressures, "
-               "symmetric tangent) or 'consistent' (as in the paper; pressures "
-               "oscillate at the edge of the contact zone).");
+    add_choice(
+      prm,
+      "Multiplier mass",
+      mortar_matrix,
+      {"consistent", "lumped"},
+      "Mortar matrix, from nodal contact pressures to nodal "
+      "forces: 'lumped' (that of dual basis functions: smooth pressures, "
+      "symmetric tangent) or 'consistent' (as in the paper; pressures "
+      "oscillate at the edge of the contact zone).");
     prm.add_parameter(
       "Points in cells",
       points_per_side,
@@ -52,7 +53,7 @@ namespace Biface
       "Regularization",
       penalty_stiffness,
       "automatic",
-      "The parameter epsilon of the contact condition: a pressure p causes a "
+      "The penalty stiffness epsilon of contact: a pressure p causes a "
       "penetration of p/epsilon. A positive number, or 'automatic': 7000 k with "
       "the lowest stiffness of the wall across its thickness, k = 1/sum(h/E), "
       "where h is the thickness of each ply and E its modulus in this "

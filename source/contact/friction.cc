@@ -31,8 +31,8 @@ namespace Biface
       "Tangential regularization",
       tangential_stiffness,
       "automatic",
-      "The parameter epsilon_t of friction: a node that sticks under a "
-      "tangential traction t moves by t/epsilon_t. A positive number, or "
+      "The tangential stiffness epsilon_t of friction: a node that sticks under "
+      "a tangential traction t moves by t/epsilon_t. A positive number, or "
       "'automatic': 70 k with the stiffness k of 'Regularization'; in a shell "
       "as thin as a membrane, where k is limited, times the part of "
       "1/sum(h/E) that k is.",

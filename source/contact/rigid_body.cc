@@ -19,8 +19,10 @@ namespace Biface
                "Foundation",
                shape,
                {"plane", "drum", "sphere"},
-               "The shape of the rigid ground: a plane, a drum (an "
-               "infinitely long circular cylinder), or a sphere. By "
+               "The shape of the ground, the rigid body on which the shell "
+               "is pressed and which entries and tables call "
+               "'foundation': a plane, a drum (an infinitely long "
+               "circular cylinder), or a sphere. By "
                "default only nodes make contact, so the radius must be several "
                "times the cell size.");
     prm.add_parameter("Direction",

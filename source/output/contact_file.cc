@@ -33,7 +33,7 @@ namespace Biface
   {
     const ShellMesh        &mesh    = equations.mesh;
     const ReferenceSurface &surface = mesh.get_surface();
-    // of a stage without a ground, the table is empty
+    // of a stage without ground, the table is empty
     std::map<unsigned int, PlacedBody> bodies = report.loads->bodies;
     if (bodies.count(0) == 0)
       write_csv(path(report.step), header, {}, communicator);

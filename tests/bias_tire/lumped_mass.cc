@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// With the lumped multiplier mass, the force on the bias tire at 20 mm is
-// within 2 % of that with the consistent mass, and the maximum pressure, which
-// is at the edge of contact, is smaller.
+// With the lumped mortar matrix, the force on the bias tire at 20 mm is
+// within 2 % of that with the consistent mortar matrix, and the maximum
+// pressure, which is at the edge of contact, is smaller.
 
 #include "../tests.h"
 #include "bias_tire.h"

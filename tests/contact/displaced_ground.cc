@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// A ground that slides and turns, and goes around the axle of a wheel,
+// Ground that slides and turns, and goes around the axle of a wheel,
 // carries its points along: a point that moves with it keeps its clearance, its
 // normal and tangents turn with it, and the derivatives of clearance and normal
 // are those of differences.

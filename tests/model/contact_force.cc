@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// With the lumped mass the nodal forces add up to the reported force on a
-// curved ground and act through its axis or its center; with both masses
+// With the lumped mortar matrix the nodal forces add up to the reported force
+// on a curved ground and act through its axis or its center; with both masses
 // the derivatives of force and residual by the displacements and the travel are
 // correct.
 
@@ -130,7 +130,8 @@ namespace
     std::cout << name << std::endl;
     check_small("  travel left when it touches", touching, 1e-14);
     check_range("  nodes in contact", n_active, 2, n_nodes / 2);
-    // with the consistent mass, nodes that are held take part of the force
+    // with the consistent mortar matrix, nodes that are held take part of the
+    // force
     if (mass == MortarMatrix::lumped)
       {
         check_small("  sum of the forces", sum * d + scale, 1e-12, scale);
@@ -164,13 +165,13 @@ main(int argc, char *argv[])
 
   ground.shape       = Shape::drum;
   ground.drum.radius = 80;
-  test("drum, lumped mass", ground, MortarMatrix::lumped);
-  test("drum, consistent mass", ground, MortarMatrix::consistent);
+  test("drum, lumped mortar matrix", ground, MortarMatrix::lumped);
+  test("drum, consistent mortar matrix", ground, MortarMatrix::consistent);
   ground.drum.radius = -400;
-  test("hollow drum, lumped mass", ground, MortarMatrix::lumped);
+  test("hollow drum, lumped mortar matrix", ground, MortarMatrix::lumped);
 
   ground.shape         = Shape::sphere;
   ground.sphere.radius = 120;
-  test("sphere, lumped mass", ground, MortarMatrix::lumped);
-  test("sphere, consistent mass", ground, MortarMatrix::consistent);
+  test("sphere, lumped mortar matrix", ground, MortarMatrix::lumped);
+  test("sphere, consistent mortar matrix", ground, MortarMatrix::consistent);
 }

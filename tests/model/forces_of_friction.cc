@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // On a rough ground of each shape that slides and turns, for both
-// multiplier masses, the forces and moments on a tire are in balance, and that
+// mortar matrices, the forces and moments on a tire are in balance, and that
 // of the ground along its direction is the force of the history.
 
 #include "forces.h"
@@ -38,7 +38,7 @@ main(int argc, char *argv[])
            "Stage 3/Steps=2"});
         if (!is_root)
           continue;
-        std::cout << shape << ", " << mass << " mass" << std::endl;
+        std::cout << shape << ", " << mass << " mortar matrix" << std::endl;
         const double force = forces.report.contact.force;
         check_true("  some nodes slip", forces.report.contact.n_slipping > 0);
         check_small("  balance", forces.imbalance, 1e-8);

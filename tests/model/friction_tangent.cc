@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // With nodes that stick, slip and are glued, on each shape of ground, slid
-// and turned, for both multiplier masses and points in cells, the tangent is
+// and turned, for both mortar matrices and points in cells, the tangent is
 // the derivative of the residual, also by the travel, and the force on the
 // ground has the derivatives that it reports.
 
@@ -150,7 +150,8 @@ main(int argc, char *argv[])
   for (const auto mass : {MortarMatrix::lumped, MortarMatrix::consistent})
     {
       const std::string kind =
-        (mass == MortarMatrix::lumped ? ", lumped mass" : ", consistent mass");
+        (mass == MortarMatrix::lumped ? ", lumped mortar matrix"
+                                      : ", consistent mortar matrix");
       test("plane" + kind, Shape::plane, mass);
       test("drum" + kind, Shape::drum, mass);
       test("sphere" + kind, Shape::sphere, mass);

@@ -141,7 +141,10 @@ main(int argc, char *argv[])
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
   using Shape = RigidBody::Parameters::Shape;
-  test("plane, consistent mass", Shape::plane, MortarMatrix::consistent);
-  test("plane, lumped mass", Shape::plane, MortarMatrix::lumped);
-  test("sphere, consistent mass", Shape::sphere, MortarMatrix::consistent);
+  test(
+    "plane, consistent mortar matrix", Shape::plane, MortarMatrix::consistent);
+  test("plane, lumped mortar matrix", Shape::plane, MortarMatrix::lumped);
+  test("sphere, consistent mortar matrix",
+       Shape::sphere,
+       MortarMatrix::consistent);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The tangent is symmetric, and says so, unless a ground is there with the
-// consistent multiplier mass, or a follower pressure that is not zero on a
+// consistent mortar matrix, or a follower pressure that is not zero on a
 // shell with free edges, or the law is not symmetric. On a shell whose edges
 // are held, a follower pressure leaves it symmetric.
 
@@ -89,8 +89,9 @@ main(int argc, char *argv[])
   const auto follower   = PressureKind::follower;
 
   test("symmetric: no ground", law, consistent, dead, true, true, false);
-  test("not: consistent mass", law, consistent, dead, false, true, true);
-  test("symmetric: lumped mass", law, lumped, dead, true, true, true);
+  test(
+    "not: consistent mortar matrix", law, consistent, dead, false, true, true);
+  test("symmetric: lumped mortar matrix", law, lumped, dead, true, true, true);
   test("not: follower pressure and free edges",
        law,
        lumped,

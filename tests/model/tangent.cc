@@ -59,7 +59,7 @@ namespace
     const auto  mesh =
       coarse_torus(layup, StrainSampling::vertices, false, interpolation);
 
-    // a ground as soft as the shell, so that neither hides the other
+    // ground as soft as the shell, so that neither hides the other
     ContactParameters contact_parameters;
     contact_parameters.condition.mortar_matrix     = mass;
     contact_parameters.condition.penalty_stiffness = 1;

@@ -67,7 +67,7 @@ main(int argc, char *argv[])
   check_small("the rest", value(3) - (value(1) - value(2)), 1e-3, value(1));
   check_small("carried by the wall", value(3), 0.02, value(1));
   check_small("cells in contact", value(4) * value(5) - of("contact_nodes"), 0);
-  // 1e4 is the regularization, 0.01 the thickness
+  // 1e4 is the penalty stiffness, 0.01 the thickness
   check_small("penetration",
               value(6) - 100 * of("max_pressure") / 1e4 / 0.01,
               0.06,

@@ -2,7 +2,7 @@
 
 // A shell that penetrates the ground by more than 1 % of its thickness is
 // warned of once a stage, with the penetration that belongs to the pressure.
-// With the default regularization there is none.
+// With the default penalty stiffness there is none.
 
 #include <deal.II/base/mpi.h>
 

@@ -64,7 +64,7 @@ namespace Biface
     /** The travel until the surface of a ground touches a point from
      * outside, negative if it must move back. Plus infinity for a point that it
      * misses, minus infinity for a point that is always inside. Must not be
-     * called for shapes that are no foundations. Unit: length. */
+     * called for shapes that are never the ground. Unit: length. */
     virtual double
     travel_to(const dealii::Point<3> &x) const;
 

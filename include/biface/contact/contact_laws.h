@@ -83,7 +83,7 @@ namespace Biface
       return *of_nodes;
     }
 
-    /** The bristles on the lines of flow from which the tractions follow, all
+    /** The bristles on the streamlines from which the tractions follow, all
      * at once; null if each node has a traction of its own. */
     const BristleLaw *
     bristles() const

@@ -9,7 +9,7 @@
 namespace Biface
 {
   /** Friction of a shell that rolls, whose nodes remember nothing. By itself it
-   * has no tractions at nodes, as if all were on the lines of flow, see
+   * has no tractions at nodes, as if all were on the streamlines, see
    * BristleLaw. */
   class FrictionWithoutHistory : public TangentialLaw
   {

@@ -32,11 +32,11 @@ namespace Biface
     struct Particle
     {
       Rolling rolling;
-      /** The derivative @f$\partial\mathbf x/\partial\varphi@f$ along the line
-       * of flow. */
+      /** The derivative @f$\partial\mathbf x/\partial\varphi@f$ along the
+       * streamline. */
       dealii::Tensor<1, 3> slope;
       /** The derivative of the slope by the position of the adjacent node ahead
-       * on the line of flow, and minus that by the one behind. */
+       * on the streamline, and minus that by the one behind. */
       double per_neighbor;
     };
 
@@ -76,7 +76,7 @@ namespace Biface
      * node, with the multiplier of the state. */
     dealii::Tensor<2, 3> stiffness;
     /** Minus the derivatives of the traction with respect to the positions of
-     * the adjacent nodes along the flow, behind and ahead. */
+     * the adjacent nodes along the streamline, behind and ahead. */
     std::array<dealii::Tensor<2, 3>, 2> stiffness_of_neighbors{};
     /** The derivatives of the traction with respect to the velocity of the
      * particle at the node and to the angular velocity. */

@@ -61,7 +61,7 @@ namespace Biface
                           const State        &state,
                           const ContactState &zone) const
   {
-    // the areas of the lumped multiplier mass
+    // the areas of the lumped mortar matrix
     std::vector<double> areas(mesh.nodes.size());
     for (const Cell &cell : mesh.wall_elements())
       for (const unsigned int n : cell.nodes)

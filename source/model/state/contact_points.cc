@@ -19,8 +19,8 @@ namespace Biface
   {
     if (at_nodes())
       {
-        // with the consistent mass, the traction at a node acts on all nodes of
-        // the cell
+        // with the consistent mortar matrix, the traction at a node acts on all
+        // nodes of the cell
         const auto M = mortar_matrix(mass, 1);
         for (unsigned int s = 0; s < 4; ++s)
           {

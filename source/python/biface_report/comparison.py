@@ -182,7 +182,7 @@ def maps_of_footprints(runs, names, footprints):
     if any(footprint is None for footprint in footprints):
         return [LeftOut("Footprints", "Not both shells are in contact.")]
     if footprints[0].axis_names != footprints[1].axis_names:
-        return [LeftOut("Footprints", "The foundations have different directions.")]
+        return [LeftOut("Footprints", "The directions toward the ground differ.")]
     shown = maps.frame(*footprints)
     maximum = max(footprint.fine_pressure.max() for footprint in footprints)
     return [Section(f"footprint{i + 1}", f"Footprint of {name}", figure(

@@ -190,7 +190,7 @@ FOOTPRINT_ROWS = (
      "force over this deformed area; may therefore exceed the mean by force"))
 PRESSURE_ROWS = (
     ("recovered_max_pressure", "Maximum pressure, recovered", "pressure",
-     "with dual basis functions if the multiplier mass is lumped"),
+     "with dual basis functions if the mortar matrix is lumped"),
     ("weighted_pressure", "Mean contact pressure by force", "pressure",
      "weighted by the force that it carries; per area of the undeformed middle "
      "surface"),

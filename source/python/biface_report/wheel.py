@@ -17,7 +17,7 @@ from .units import units_of
 # The axle of a surface of revolution
 AXLE = np.array([0.0, 1.0, 0.0])
 
-# A ground closer to the axle than this does not carry a wheel: the sine of the
+# Ground closer to the axle than this does not carry a wheel: the sine of the
 # angle between its plane and the axle
 LYING = 0.9
 

@@ -23,7 +23,7 @@ namespace Biface
 
 
   /**
-   * The bristles of a footprint, on all its lines of flow, see BristleLaw: each
+   * The bristles of a footprint, on all its streamlines, see BristleLaw: each
    * rank has those of its own nodes, and knows on which nodes before them they
    * depend, on any rank.
    */

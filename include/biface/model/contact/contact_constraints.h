@@ -30,8 +30,9 @@ namespace Biface
   contact_points(const ContactInteraction &contact);
 
 
-  /** The effect of a unit contact multiplier at a point on the shell, along the
-   * normal of the body there. */
+  /** The contact constraint at a point, linearized: how a unit multiplier acts
+   * on the shell along the normal of the body, and how the displacements change
+   * the clearance. */
   struct ContactConstraint
   {
     /** The forces per unit of the multiplier, without those at supports. */
@@ -48,8 +49,8 @@ namespace Biface
   };
 
 
-  /** The unit multipliers of the given points, whose bodies are there. Must be
-   * called on all ranks. */
+  /** The contact constraints at the given points, whose bodies are there. Must
+   * be called on all ranks. */
   std::vector<ContactConstraint>
   contact_constraints(const ContactInteraction        &contact,
                       const State                     &state,

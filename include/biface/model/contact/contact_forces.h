@@ -15,7 +15,8 @@ namespace Biface
    * @f$\sum_s M_{rs}\,(\lambda_s\mathbf n_s+\mathbf t_s)@f$ with the normal at
    * the point s, like the multipliers: at nodes, the traction is interpolated.
    * The forces therefore add up to the force of the body for both multiplier
-   * masses. Without friction, with the lumped mass, they have the potential
+   * masses. Without friction, with the lumped mortar matrix, they have the
+   * potential
    * @f$\sum_s M_{ss}\,\varepsilon c_s^2/2@f$ of the active nodes, and thus a
    * symmetric tangent. Neither would be true with the normal at node r. With
    * friction, the tangent is not symmetric.
@@ -102,10 +103,10 @@ namespace Biface
 
   private:
     /** Add the derivative of the force at a vertex of a rolling shell by the
-     * displacement of its neighbor along the flow in the same cell. The cells
-     * on either side of a node add what depends on the neighbor on this side,
-     * for the whole area of the node: the sparsity pattern does not grow. Only
-     * for the lumped mass. */
+     * displacement of its neighbor along the streamline in the same cell. The
+     * cells on either side of a node add what depends on the neighbor on this
+     * side, for the whole area of the node: the sparsity pattern does not grow.
+     * Only for the lumped mortar matrix. */
     void
     add_neighbor(const Cell                &cell,
                  const unsigned int         vertex,

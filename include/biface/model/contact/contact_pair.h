@@ -85,7 +85,7 @@ namespace Biface
     bool
     has_friction(const Loads &loads) const;
 
-    /** The bristles on the lines of flow, if the body holds the nodes by them.
+    /** The bristles on the streamlines, if the body holds the nodes by them.
      * Must be called on all ranks; the body must outlive the result. */
     std::optional<BristleLines>
     bristle_lines(const State &state, const Loads &loads) const;
@@ -214,7 +214,7 @@ namespace Biface
     const MortarMatrix     mortar_matrix;
     const ContactPoints    points;
     const MovingBody       moving_body;
-    /** The flow of the material through the mesh, if the shell rolls. */
+    /** The transport of the material through the mesh, if the shell rolls. */
     const Streamlines streamlines;
 
   private:

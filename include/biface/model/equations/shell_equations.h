@@ -138,7 +138,7 @@ namespace Biface
      * undeformed shape, to which its displacements return, see
      * InternalForces::take_as_prestress(). The loads keep acting; from
      * now on constant forces take up what is out of balance.
-     * @param loads without a ground. */
+     * @param loads without ground. */
     Unbalance
     start_from_prestress(State &state, const Loads &loads) const;
 

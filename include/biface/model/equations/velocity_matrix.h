@@ -21,8 +21,8 @@ namespace Biface
    *
    * A particle has the acceleration
    * @f$\ddot{\mathbf u}-2\Omega\,\dot{\mathbf u}'+\Omega^2\mathbf x''@f$, see
-   * Rolling. The second term is that of Coriolis and of the flow through the
-   * mesh; around the closed turn, by parts, its virtual work is
+   * Rolling. The second term is that of Coriolis and of the transport through
+   * the mesh; around the closed turn, by parts, its virtual work is
    * @f[
    *   \int\varrho\,\Omega\left(\delta\mathbf u'\cdot\dot{\mathbf u}-
    *   \delta\mathbf u\cdot\dot{\mathbf u}'\right)dV,

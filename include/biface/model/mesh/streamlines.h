@@ -12,8 +12,9 @@
 namespace Biface
 {
   /**
-   * The mesh lines around the axis of a closed surface of revolution, along
-   * which the material of a rolling wheel flows, with the derivative by
+   * The streamlines of a rolling wheel: the mesh lines around the axis of a
+   * closed surface of revolution, along which the material is transported
+   * through the mesh (ALE), with the derivative by
    * @f$\varphi@f$ at the nodes: the central difference of whole Cartesian
    * positions,
    * @f[
@@ -28,8 +29,8 @@ namespace Biface
   class Streamlines
   {
   public:
-    /** The flow lines of a mesh, which has some only if its surface is closed.
-     * @param mesh any mesh; only one of a closed surface has flow lines. */
+    /** The streamlines of a mesh, which has some only if its surface is closed.
+     * @param mesh any mesh; only one of a closed surface has streamlines. */
     explicit Streamlines(const ShellMesh &mesh);
 
     /** The neighbors of a node along its line, behind and ahead in the

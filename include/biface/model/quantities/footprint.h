@@ -43,7 +43,7 @@ namespace Biface
      * The maximum over the nodes of the pressure
      * @f$-\lambda_h=-\sum_r\lambda_r\psi_r@f$, the mean of the cells around the
      * node, if all their corners are in contact; that of the nodal pressures if
-     * there is no such node. For the lumped mass,
+     * there is no such node. For the lumped mortar matrix,
      * @f$\psi_r@f$ are the dual basis functions of the bilinear
      * @f$N_r@f$, @f$\int\psi_rN_s\,d\xi=\delta_{rs}\int N_r\,d\xi@f$
      * @cite Wohlmuth2000 , and the lumped matrix is that of such a field. For

@@ -87,9 +87,9 @@ namespace Biface
      * the temperature; no time in converged states. */
     TimeStep time_step;
 
-    /** The angular velocity at which the material flows through the mesh around
-     * the axle during the step, so that each point has the past of the one
-     * behind it; none where the material stays in its cells. Unit:
+    /** The angular velocity of the transport of the material through the mesh
+     * around the axle (ALE) during the step, so that each point has the past of
+     * the one behind it; none where the material stays in its cells. Unit:
      * radians/time. */
     std::optional<double> transport_velocity;
 
