@@ -35,7 +35,8 @@ namespace Biface
      * ContactPair::travel_at_first_contact(). */
     std::optional<double> travel_at_first_contact;
     /** The point of the shell that the ground touches first, at the same
-     * time as the touching travel, see ContactPair::first_contact_point(). */
+     * time as the travel at first contact, see
+     * ContactPair::first_contact_point(). */
     dealii::Point<3> first_contact_point;
     /** The load factors in the shape from which displacements count: 0, or
      * those at the start of the last stage from a prestress. Prescribed
