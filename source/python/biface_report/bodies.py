@@ -10,7 +10,7 @@ from biface.results import CONTACT_COLUMNS
 from biface.tables import read_csv
 
 from .ground import (PATCH_CELLS, Ground, ground_in_step, ground_of,
-                         unit)
+                     unit)
 from .view_data import packed
 
 # How far a body is drawn beyond the shell, relative to the size of the shell
@@ -97,7 +97,7 @@ def body_of(run, name, shift=0, sign=1):
         return None
     if shape == "plane":
         return Ground(shape, direction, point + shift
-                          - tread_on(run, name) * unit(direction))
+                      - tread_on(run, name) * unit(direction))
     radius = run.numbers(f"Body {name}/Radius", 1)
     if radius is None:
         return None

@@ -41,7 +41,7 @@ class Ground:
                               - (self.radius + clearances)**2) / (b @ b)
             ahead = -half - np.sign(self.radius) * np.sqrt(np.maximum(rest, 0))
         return Ground(self.shape, self.direction, self.point, self.radius,
-                          self.axis, float(np.median(ahead)))
+                      self.axis, float(np.median(ahead)))
 
     def clearance(self, points):
         """The distance of points, one a row, from the surface: negative within
