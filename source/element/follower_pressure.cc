@@ -66,7 +66,7 @@ namespace Biface
                                      const std::array<double, 4> &at_vertices)
     : geometry(geometry), face(face)
   {
-    const auto                 &positions = geometry.stations.positions[face];
+    const auto                 &undeformed = geometry.stations.positions[face];
     std::array<Tensor<1, 3>, 4> v;
     for (unsigned int q = 0; q < 4; ++q)
       v[q] = MixedElement::face_displacement(V, q, face);
@@ -82,8 +82,8 @@ namespace Biface
           {
             for (unsigned int s = 0; s < ElementGeometry::Stations::n; ++s)
               {
-                x[side] += N[s] * positions[s][side];
-                slope[side] += dN[s] * positions[s][side];
+                x[side] += N[s] * undeformed[s][side];
+                slope[side] += dN[s] * undeformed[s][side];
               }
             for (const unsigned int q : {2 * side, 2 * side + 1})
               {
@@ -101,6 +101,7 @@ namespace Biface
             auto &t          = tangents[i][j];
             for (unsigned int side = 0; side < 2; ++side)
               {
+                positions[i][j] += M[side] * x[side];
                 t[0] += M[side] * slope[side];
                 t[1] += slope_of_side[side] * x[side] +
                         M[side] * (geometry.stations.spin * x[side]);
@@ -138,6 +139,51 @@ namespace Biface
           dN[side] * stations.at_side[q] + dN[1] / 2 * stations.at_middle[q];
       }
     return result;
+  }
+
+
+  double
+  FollowerPressure::flux(const Tensor<2, 3>        &A,
+                         const Tensor<1, 3>        &c,
+                         MixedElement::NodalVector *gradient) const
+  {
+    const ElementGeometry::Stations &stations = geometry.stations;
+    const Tensor<2, 3>               A_in_frame =
+      transpose(stations.axes) * A * stations.axes;
+    const Tensor<1, 3> c_in_frame = (A * stations.origin + c) * stations.axes;
+
+    double sum = 0;
+    for (unsigned int i = 0; i < n_points[0]; ++i)
+      {
+        const auto of_node = shapes(i);
+        for (unsigned int j = 0; j < n_points[1]; ++j)
+          {
+            const auto        &t    = tangents[i][j];
+            const Tensor<1, 3> area = cross_product_3d(t[0], t[1]);
+            const Tensor<1, 3> F    = A_in_frame * positions[i][j] + c_in_frame;
+            sum += pressure[i][j] * (F * area);
+            if (!gradient)
+              continue;
+            const auto         M       = of_sides(along_2[j].x);
+            const Tensor<1, 3> per_x   = area * A_in_frame,
+                               per_t_0 = cross_product_3d(t[1], F),
+                               per_t_1 = cross_product_3d(F, t[0]);
+            for (unsigned int q = 0; q < 4; ++q)
+              {
+                const unsigned int side = q >> 1;
+                const Tensor<1, 3> per_value =
+                  M[side] * (per_x + per_t_1 * stations.spin) +
+                  slope_of_side[side] * per_t_1;
+                MixedElement::add_face_force(
+                  pressure[i][j] * (per_value * of_node[q].value +
+                                    M[side] * per_t_0 * of_node[q].slope),
+                  q,
+                  face,
+                  *gradient);
+              }
+          }
+      }
+    return sum;
   }
 
 

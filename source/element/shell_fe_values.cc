@@ -126,10 +126,9 @@ namespace Biface
     const bool turns = (geometry.interpolation == Interpolation::components);
     const Tensor<1, 3> axis = surface.axis();
     // a frame that turns needs the distance from its axis
-    const Tensor<1, 3> origin =
-      turns && axis.norm_square() > 0
-        ? Tensor<1, 3>((points[0].position * axis) * axis)
-        : Tensor<1, 3>(points[0].position);
+    stations.origin = turns && axis.norm_square() > 0
+                        ? Tensor<1, 3>((points[0].position * axis) * axis)
+                        : Tensor<1, 3>(points[0].position);
 
     for (unsigned int side = 0; side < 2; ++side)
       {
@@ -139,6 +138,10 @@ namespace Biface
         const SurfacePoint middle  = surface.evaluate(
           {(alpha_left[0] + alpha_right[0]) / 2, alpha_left[1]});
         const SurfacePoint &frame = (turns ? middle : points[0]);
+        if (side == 0)
+          for (unsigned int i = 0; i < 3; ++i)
+            for (unsigned int j = 0; j < 3; ++j)
+              stations.axes[i][j] = frame.frame[j][i];
         for (const unsigned int q : {left, right})
           {
             Tensor<2, 3> turn;
@@ -160,7 +163,7 @@ namespace Biface
             const auto position = [&](const SurfacePoint &at,
                                       const double        height) {
               return frame.to_frame(at.position + height * at.frame[2] -
-                                    origin);
+                                    stations.origin);
             };
             const double height_left  = face_heights[left][face],
                          height_right = face_heights[right][face];

@@ -33,7 +33,7 @@ namespace
                             "subsection Laminate\n  set Plies = cord: 2 @ 0\n"
                             "  set Reference surface = inner\nend\n"
                             "subsection Supports\n  set alpha_1 min = fixed\n"
-                            "  set alpha_1 max = v_3 middle\n"
+                            "  set alpha_1 max = v_3 both\n"
                             "  set alpha_2 min = symmetry\n"
                             "  set alpha_2 max = symmetry\nend\n"
                             "subsection Loads\n"

@@ -76,6 +76,11 @@ namespace Biface
       std::array<std::array<std::array<dealii::Tensor<1, 3>, 2>, n>, 2>
         positions;
 
+      /** The point from which positions count, and the frame on the side of
+       * vertex 0 in columns, which turns components into a Cartesian vector. */
+      dealii::Tensor<1, 3> origin;
+      dealii::Tensor<2, 3> axes;
+
       /** The matrices that turn the components at a vertex into those at the
        * station of its own side, and at the one in the middle, which has the
        * mean of both sides. */

@@ -59,6 +59,19 @@ namespace Biface
     void
     add_derivative(const double factor, MixedElement::NodalMatrix &K) const;
 
+    /** The flux of the pressure times a vector field
+     * @f$\mathbf A\mathbf x + \mathbf c@f$ through the deformed face, against
+     * the pressure's direction if that is negative; exact for a constant
+     * pressure.
+     * @param A, c in Cartesian coordinates. If components are interpolated, the
+     * field is symmetric about the axis of the surface.
+     * @param gradient the derivative by the nodal displacements is added,
+     * unless null. */
+    double
+    flux(const dealii::Tensor<2, 3> &A,
+         const dealii::Tensor<1, 3> &c,
+         MixedElement::NodalVector  *gradient = nullptr) const;
+
   private:
     /** The numbers of Gauss points along both coordinates: for polynomials of
      * the degrees 5 and 3. */
@@ -80,6 +93,9 @@ namespace Biface
     /** At the quadrature points, times the weight; positive if it acts along
      * the normal. */
     std::array<std::array<double, n_points[1]>, n_points[0]> pressure;
+    /** The deformed position, see ElementGeometry::Stations. */
+    std::array<std::array<dealii::Tensor<1, 3>, n_points[1]>, n_points[0]>
+      positions;
     /** The derivatives of the deformed position. */
     std::array<std::array<std::array<dealii::Tensor<1, 3>, 2>, n_points[1]>,
                n_points[0]>

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <utility>
 
 #include <biface/base/errors.h>
 #include <biface/element/follower_pressure.h>
@@ -71,17 +70,30 @@ namespace Biface
     , axis(mesh.get_surface().axis())
     , rim_radius(parameters.rim_radius ? *parameters.rim_radius
                                        : radius_of_edges())
-    , of_planes(
-        axis.norm_square() > 0
-          ? forces_on_planes(
-              mesh, face, {Edge::alpha_1_min, Edge::alpha_1_max}, rim_radius)
-          : mesh.owned_vector())
+    , within_rim(mesh.owned_vector())
   {
-    double exact = 0;
+    if (axis.norm_square() > 0)
+      {
+        linear_part = unit_symmetric_tensor<3>();
+        linear_part = (linear_part - outer_product(axis, axis)) / 2;
+        if (rim_radius > 0)
+          within_rim = forces_on_planes(
+            mesh, face, {Edge::alpha_1_min, Edge::alpha_1_max}, rim_radius);
+      }
+    else
+      linear_part[2][2] = 1;
+
+    double exact = 0, of_cells = 0;
     for (const Cell &cell : mesh.wall_elements())
-      exact += exact_flux(cell);
-    exact      = Utilities::MPI::sum(exact, mesh.communicator);
-    undeformed = parameters.volume.value_or(exact);
+      {
+        exact += exact_flux(cell);
+        of_cells +=
+          FollowerPressure(cell.geometry, MixedElement::NodalVector(), face)
+            .flux(linear_part, Tensor<1, 3>());
+      }
+    exact    = Utilities::MPI::sum(exact, mesh.communicator);
+    constant = parameters.volume.value_or(exact) -
+               Utilities::MPI::sum(of_cells, mesh.communicator);
     if (!parameters.volume && !(exact > 0))
       throw InputError("Gas/Cavity volume",
                        "computed",
@@ -97,24 +109,24 @@ namespace Biface
   {
     double sum = 0;
     for (const Cell &cell : mesh.wall_elements())
-      sum += swept_volume(cell, mesh.cell_values(state.displacement, cell));
-    return undeformed + Utilities::MPI::sum(sum, mesh.communicator) +
-           of_planes * owned_part(state.displacement);
+      sum += flux(cell, state);
+    return constant + Utilities::MPI::sum(sum, mesh.communicator) -
+           within_rim * owned_part(state.displacement);
   }
 
 
   LA::Vector
   Cavity::volume_gradient(const State &state) const
   {
-    LA::Vector gradient = of_planes;
+    LA::Vector gradient = mesh.owned_vector();
     for (const Cell &cell : mesh.wall_elements())
       {
         MixedElement::NodalVector of_cell;
-        swept_volume(
-          cell, mesh.cell_values(state.displacement, cell), &of_cell);
+        flux(cell, state, &of_cell);
         mesh.add_nodal_forces(cell, of_cell, gradient);
       }
     gradient.compress(VectorOperation::add);
+    gradient -= within_rim;
     return gradient;
   }
 
@@ -122,44 +134,22 @@ namespace Biface
   Tensor<1, 3>
   Cavity::field(const Point<3> &x) const
   {
-    if (axis.norm_square() == 0)
-      {
-        const Tensor<1, 3> e_z({0, 0, 1});
-        return (x * e_z) * e_z;
-      }
-    const Tensor<1, 3> s = x - (x * axis) * axis;
+    const Tensor<1, 3> linear = linear_part * x;
     return rim_radius > 0
-             ? (1 - rim_radius * rim_radius / s.norm_square()) / 2 * s
-             : s / 2;
+             ? (1 - rim_radius * rim_radius / (4 * linear.norm_square())) *
+                 linear
+             : linear;
   }
 
 
   double
-  Cavity::swept_volume(const Cell                      &cell,
-                       const MixedElement::NodalVector &V,
-                       MixedElement::NodalVector       *gradient) const
+  Cavity::flux(const Cell                &cell,
+               const State               &state,
+               MixedElement::NodalVector *gradient) const
   {
-    MixedElement::NodalVector mean;
-    MixedElement::NodalMatrix derivative;
-    for (auto &row : derivative)
-      row.fill(0);
-    // Simpson's rule along the way is exact
-    for (const auto &[part, weight] : std::array<std::pair<double, double>, 3>{
-           {{0., 1. / 6}, {0.5, 4. / 6}, {1., 1. / 6}}})
-      {
-        const FollowerPressure unit(cell.geometry, part * V, face);
-        mean += weight * unit.force();
-        if (gradient && part > 0)
-          unit.add_derivative(part * weight, derivative);
-      }
-    if (gradient)
-      {
-        *gradient += mean;
-        for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
-          for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
-            (*gradient)[j] += V[i] * derivative[i][j];
-      }
-    return mean * V;
+    return FollowerPressure(
+             cell.geometry, mesh.cell_values(state.displacement, cell), face)
+      .flux(linear_part, Tensor<1, 3>(), gradient);
   }
 
 

@@ -14,10 +14,10 @@ namespace Biface
   using namespace dealii;
 
   LA::Vector
-  forces_on_planes(const ShellMesh         &mesh,
-                   const Resultants::Face   face,
-                   const std::vector<Edge> &edges,
-                   const double             radius)
+  forces_on_planes(const ShellMesh            &mesh,
+                   const Resultants::Face      face,
+                   const std::vector<Edge>    &edges,
+                   const std::optional<double> radius)
   {
     LA::Vector         result = mesh.owned_vector();
     const Tensor<1, 3> axis   = mesh.get_surface().axis();
@@ -30,15 +30,15 @@ namespace Biface
             const Tensor<1, 3>  x(surface.position +
                                  node.face_heights[face] * surface.frame[2]);
             const Tensor<1, 3>  arm = x - (x * axis) * axis;
-            // half of the area between the radius and the side of a cell, which
-            // is straight if positions are interpolated
+            // half of the area within the side of a cell, which is straight if
+            // positions are interpolated
             const double angle = segment.length / surface.lame[1];
             const double area =
-              (arm.norm_square() *
-                 (mesh.interpolation == Interpolation::Cartesian
-                    ? std::sin(angle)
-                    : angle) -
-               radius * radius * angle) /
+              (radius ? *radius * *radius * angle
+                      : arm.norm_square() *
+                          (mesh.interpolation == Interpolation::Cartesian
+                             ? std::sin(angle)
+                             : angle)) /
               4;
 
             // away from the cavity, which is on the side of the face

@@ -28,19 +28,14 @@ namespace Biface
    * @f]
    * which does not pass through the cylinder of the rim, of radius
    * @f$r_0@f$, nor through planes that contain the axis or are orthogonal to
-   * it: these may close the cavity. The change of the volume is what the face
-   * sweeps as the nodal displacements grow in proportion. With the forces
-   * @f$\mathbf f@f$ of a unit pressure, FollowerPressure, which are quadratic
-   * in the displacements,
-   * @f[
-   *   V - V_0 = \frac{\mathbf f(0) + 4\,\mathbf f(\mathbf V/2) +
-   *     \mathbf f(\mathbf V)}{6}\cdot\mathbf V ,
-   * @f]
-   * and what planes at the edges of the first coordinate, of their undeformed
-   * area down to the rim, sweep as they move along the axis with the edge. The
-   * gradient of the volume is @f$\mathbf f(\mathbf V)@f$, with that of the
-   * planes, wherever the edges sweep no area that is not in these planes or
-   * cylinders.
+   * it: these may close the cavity. The change of the volume is that of the
+   * flux through the faces of the cells, see FollowerPressure::flux(), of
+   * @f$\mathbf s/2@f$ with @f$\mathbf s = r\mathbf e_r@f$; what remains,
+   * @f$-r_0^2/(2r)\,\mathbf e_r@f$, has the flux of what planes at the edges
+   * of the first coordinate sweep within the rim as they move along the axis
+   * with the edge. The gradient of the volume is the force of a unit pressure,
+   * with that of the planes, wherever the edges move in planes and cylinders
+   * that close the cavity.
    */
   class Cavity
   {
@@ -87,12 +82,13 @@ namespace Biface
     dealii::Tensor<1, 3>
     field(const dealii::Point<3> &x) const;
 
-    /** The volume that the face of a cell sweeps.
+    /** The flux of the linear part of the field through the deformed face of a
+     * cell.
      * @param gradient its derivative is added, unless null. */
     double
-    swept_volume(const Cell                      &cell,
-                 const MixedElement::NodalVector &V,
-                 MixedElement::NodalVector       *gradient = nullptr) const;
+    flux(const Cell                &cell,
+         const State               &state,
+         MixedElement::NodalVector *gradient = nullptr) const;
 
     /** The flux through the undeformed face of a cell. */
     double
@@ -113,10 +109,12 @@ namespace Biface
     /** The axis of revolution; zero if there is none. */
     const dealii::Tensor<1, 3> axis;
     const double               rim_radius;
-    /** The derivative of what the planes at the edges sweep. */
-    const LA::Vector of_planes;
-    /** The volume under the undeformed shell. */
-    double undeformed;
+    /** The linear part of the field, @f$\mathbf A\mathbf x@f$. */
+    dealii::Tensor<2, 3> linear_part;
+    /** The derivative of what planes within the rim at the edges sweep. */
+    LA::Vector within_rim;
+    /** The volume under the undeformed shell, less the flux of its cells. */
+    double constant;
   };
 } // namespace Biface
 

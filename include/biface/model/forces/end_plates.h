@@ -3,6 +3,7 @@
 #ifndef biface_model_forces_end_plates_h
 #define biface_model_forces_end_plates_h
 
+#include <optional>
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
@@ -14,20 +15,20 @@
 namespace Biface
 {
   /**
-   * The nodal forces of a unit pressure on planes orthogonal to the axis that
-   * reach from the cylinder of a radius to edges of the first coordinate: along
-   * the axis, away from the cavity, on the undeformed area within the edge of
-   * the face under pressure. The edge is a circle or, where the element
-   * interpolates positions, the polygon through the nodes, so that the planes
-   * balance the pressure on the shell. As a derivative by the nodal unknowns,
-   * they are that of the volume that the planes sweep as they move along the
-   * axis.
+   * The nodal forces of a unit pressure on planes orthogonal to the axis at
+   * edges of the first coordinate: along the axis, away from the cavity, on the
+   * undeformed area within the edge of the face under pressure. The edge is a
+   * circle or, where the element interpolates positions, the polygon through
+   * the nodes, so that the planes balance the pressure on the shell. As a
+   * derivative by the nodal unknowns, they are that of the volume that the
+   * planes sweep as they move along the axis.
+   * @param radius of circles in place of the edges, if set. Unit: length.
    */
   LA::Vector
-  forces_on_planes(const ShellMesh         &mesh,
-                   const Resultants::Face   face,
-                   const std::vector<Edge> &edges,
-                   const double             radius);
+  forces_on_planes(const ShellMesh            &mesh,
+                   const Resultants::Face      face,
+                   const std::vector<Edge>    &edges,
+                   const std::optional<double> radius = {});
 
 
   /**
@@ -40,7 +41,7 @@ namespace Biface
   public:
     EndPlates(const ShellMesh &mesh, const PressureLoad &pressure)
       : at_unit_pressure(
-          forces_on_planes(mesh, pressure.face, pressure.end_plates, 0))
+          forces_on_planes(mesh, pressure.face, pressure.end_plates))
     {}
 
     void
