@@ -74,7 +74,7 @@ main(int argc, char *argv[])
          "-Laminate/Plies[8]; inner: Laminate/Plies[1]",
          {50, 1e-3});
   change("stiff: factor of Stage 1/Pressure, Material cord/E_L; "
-         "E: Material cord/E_L;",
+         "E: Material cord/E_L",
          {0.5, 400});
   change("outer: Mesh/Intervals alpha_1[1]", {-110});
 

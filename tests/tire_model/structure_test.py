@@ -76,7 +76,7 @@ class Run:
 
     def move(self, motion, load, pressure, stiffness, grip="glued"):
         """Two steps of a stage in which the ground moves; the second one is softer."""
-        stage = f"{motion} {len(self.stages) + 1}, {grip}"
+        stage = f"{motion} {len(self.stages) + 1} {grip}"
         for steps, secant in ((1, stiffness), (2, 0.9 * stiffness)):
             self.row(motion, stage, pressure, load, steps * (0.1 if motion == "turn" else
                                                              1e-4), secant, 0.8 * secant)
