@@ -8,13 +8,20 @@ namespace Biface
 {
   namespace
   {
-    const char smaller_steps[] =
-      "smaller steps (more 'Steps' in the stage, or 'Step control/Maximum "
-      "cuts')";
     const char zone_edge[] =
       "smaller cells at the edge of the contact zone, or a smaller "
       "'Contact/Regularization' or, with friction, 'Contact/Tangential "
       "regularization'";
+
+
+    std::string
+    smaller_steps(const Failure &failure)
+    {
+      // more cuts only if they ended the step
+      return std::string("smaller steps (more 'Steps' in the stage") +
+             (failure.iterations_used_up ? ")"
+                                         : ", or 'Step control/Maximum cuts')");
+    }
 
 
     /** The controls that pass turning points and are not in use, after a
@@ -79,60 +86,69 @@ namespace Biface
       Assert(false, dealii::ExcInternalError());
       return {};
     }
+
+
+    std::string
+    remedies_of_cause(const Failure &failure, const InUse &in_use)
+    {
+      const std::string unstable =
+        (failure.had_negative_pivots.value_or(true) ? turning_points(in_use)
+                                                    : std::string());
+      const std::string contact = (in_use.contact && failure.contact_changed
+                                     ? std::string("; ") + zone_edge
+                                     : std::string());
+      switch (failure.cause)
+        {
+          case FailureCause::too_many_iterations:
+            return (failure.residual_decreased
+                      ? std::string(
+                          "more 'Newton/Maximum iterations', since the "
+                          "residual still decreased; ")
+                      : std::string()) +
+                   smaller_steps(failure) + unstable + contact;
+          case FailureCause::divergence:
+            return smaller_steps(failure) + unstable + contact;
+          case FailureCause::other_solution:
+          case FailureCause::heat:
+            return smaller_steps(failure);
+          case FailureCause::contact_cycle:
+            return std::string(zone_edge) + "; " + smaller_steps(failure);
+          case FailureCause::singular_tangent:
+            return std::string("more entries in 'Supports' (the start of the "
+                               "run lists free rigid motions)") +
+                   turning_points(in_use) + "; other plies or moduli";
+          case FailureCause::linear_solver:
+            return "the other 'Linear solver/Type'";
+          case FailureCause::out_of_memory:
+            return std::string("fewer cells, ") +
+                   (in_use.iterative_solver
+                      ? ""
+                      : "'Linear solver/Type = iterative', ") +
+                   "or more machines";
+          case FailureCause::linear_iterations:
+            return "more 'Linear solver/Maximum iterations', or 'Linear "
+                   "solver/Type = direct'";
+          case FailureCause::nonlocal_iterations:
+            return smaller_steps(failure);
+          case FailureCause::control:
+            return "loads that change what is controlled";
+          case FailureCause::too_many_steps:
+            return "more 'Step control/Maximum arc steps', fewer 'Steps' in "
+                   "the stage, or a larger 'Step control/Maximum growth'";
+        }
+      Assert(false, dealii::ExcInternalError());
+      return {};
+    }
   } // namespace
 
 
   std::string
   advice(const Failure &failure, const InUse &in_use)
   {
-    if (!failure.remedies.empty())
-      return failure.remedies;
-    const std::string unstable =
-      (failure.had_negative_pivots.value_or(true) ? turning_points(in_use)
-                                                  : std::string());
-    const std::string contact =
-      (in_use.contact && failure.contact_changed ? std::string("; ") + zone_edge
-                                                 : std::string());
-    switch (failure.cause)
-      {
-        case FailureCause::too_many_iterations:
-          return (failure.residual_decreased
-                    ? std::string("more 'Newton/Maximum iterations', since the "
-                                  "residual still decreased; ")
-                    : std::string()) +
-                 smaller_steps + unstable + contact;
-        case FailureCause::divergence:
-          return smaller_steps + unstable + contact;
-        case FailureCause::other_solution:
-        case FailureCause::heat:
-          return smaller_steps;
-        case FailureCause::contact_cycle:
-          return std::string(zone_edge) + "; " + smaller_steps;
-        case FailureCause::singular_tangent:
-          return std::string("more entries in 'Supports' (the start of the "
-                             "run lists free rigid motions)") +
-                 turning_points(in_use) + "; other plies or moduli";
-        case FailureCause::linear_solver:
-          return "the other 'Linear solver/Type'";
-        case FailureCause::out_of_memory:
-          return std::string("fewer cells, ") +
-                 (in_use.iterative_solver
-                    ? ""
-                    : "'Linear solver/Type = iterative', ") +
-                 "or more machines";
-        case FailureCause::linear_iterations:
-          return "more 'Linear solver/Maximum iterations', or 'Linear "
-                 "solver/Type = direct'";
-        case FailureCause::nonlocal_iterations:
-          return smaller_steps;
-        case FailureCause::control:
-          return "loads that change what is controlled";
-        case FailureCause::too_many_steps:
-          return "more 'Step control/Maximum arc steps', fewer 'Steps' in "
-                 "the stage, or a larger 'Step control/Maximum growth'";
-      }
-    Assert(false, dealii::ExcInternalError());
-    return {};
+    return (failure.remedies.empty() ? remedies_of_cause(failure, in_use)
+                                     : failure.remedies) +
+           (failure.further_remedies.empty() ? "" : "; ") +
+           failure.further_remedies;
   }
 
 

@@ -111,11 +111,10 @@ namespace Biface
     result.result.iterations = iterations;
     if (run.laws.bristles())
       {
-        std::string &remedies = result.result.failure.remedies;
-        remedies              = (halving_helps
-                                   ? advice(result.result.failure, run.stage.in_use()) + "; "
-                                   : "") +
-                   "softer bristles, by a smaller 'Contact/Tangential "
+        Failure     &failure = result.result.failure;
+        std::string &remedies =
+          (halving_helps ? failure.further_remedies : failure.remedies);
+        remedies = "softer bristles, by a smaller 'Contact/Tangential "
                    "regularization' or a 'Contact/Tread'";
         if (last)
           remedies += "; less 'Friction', since the step converged with " +

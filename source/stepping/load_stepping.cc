@@ -245,13 +245,15 @@ namespace Biface
               }
           }
 
-        const Failure &why = attempt.result.failure;
+        Failure &why = attempt.result.failure;
         if (!attempt.result.stopped)
           {
             out << "  not converged: " << why.message << std::endl;
             // a smaller step has the same matrix
-            if (why.cause != FailureCause::out_of_memory &&
-                n_iterations < max_iterations && run.control->cut())
+            const bool may_help = (why.cause != FailureCause::out_of_memory);
+            why.iterations_used_up =
+              (may_help && n_iterations >= max_iterations);
+            if (may_help && !why.iterations_used_up && run.control->cut())
               {
                 out << "  halving the step" << std::endl;
                 ++n_cuts;
@@ -300,6 +302,8 @@ namespace Biface
     failure.message = "step " + std::to_string(run.progress.n_steps + 1) +
                       " (" + run.stage.name + ") did not converge" +
                       bisections(n_cuts, n_iterations) + ": " + failure.message;
+    if (result.failure.iterations_used_up)
+      failure.message += "; the iterations of the step are used up";
     return failure;
   }
 

@@ -49,6 +49,11 @@ namespace Biface
     /** What may help, as part of a sentence that names entries of the parameter
      * file, if the cause alone does not tell; otherwise empty. */
     std::string remedies{};
+    /** What may help besides, as part of a sentence; empty for nothing. */
+    std::string further_remedies{};
+    /** Whether the step was not halved again because its attempts have used up
+     * the iterations allowed. */
+    bool iterations_used_up = false;
     /** Whether nodes came into contact, left it, or began or ceased to slip in
      * the last iterations. */
     bool contact_changed = false;
