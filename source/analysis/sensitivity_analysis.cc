@@ -829,7 +829,7 @@ namespace Biface
   void
   SensitivityAnalysis::lose(const Step &step, const Failure &failure)
   {
-    InUse in_use            = step.run.stage.in_use();
+    InUse in_use            = step.run.stage.in_use(step.run.progress.stage);
     in_use.iterative_solver = parameters.linear_solver.is_iterative();
     for (const auto &perturbed : perturbed_runs)
       perturbed->state = perturbed->before;

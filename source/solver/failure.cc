@@ -8,10 +8,15 @@ namespace Biface
 {
   namespace
   {
-    const char zone_edge[] =
-      "smaller cells at the edge of the contact zone, or a smaller "
-      "'Contact/Regularization' or, with friction, 'Contact/Tangential "
-      "regularization'";
+    std::string
+    zone_edge(const InUse &in_use)
+    {
+      return "smaller cells at the edge of the contact zone, or a smaller '" +
+             in_use.section_of_regularization +
+             "/Regularization' or, with friction, '" +
+             in_use.section_of_tangential_regularization +
+             "/Tangential regularization'";
+    }
 
 
     std::string
@@ -94,9 +99,9 @@ namespace Biface
       const std::string unstable =
         (failure.had_negative_pivots.value_or(true) ? turning_points(in_use)
                                                     : std::string());
-      const std::string contact = (in_use.contact && failure.contact_changed
-                                     ? std::string("; ") + zone_edge
-                                     : std::string());
+      const std::string contact =
+        (in_use.contact && failure.contact_changed ? "; " + zone_edge(in_use)
+                                                   : std::string());
       switch (failure.cause)
         {
           case FailureCause::too_many_iterations:
@@ -112,7 +117,7 @@ namespace Biface
           case FailureCause::heat:
             return smaller_steps(failure);
           case FailureCause::contact_cycle:
-            return std::string(zone_edge) + "; " + smaller_steps(failure);
+            return zone_edge(in_use) + "; " + smaller_steps(failure);
           case FailureCause::singular_tangent:
             return std::string("more entries in 'Supports' (the start of the "
                                "run lists free rigid motions)") +

@@ -114,8 +114,10 @@ namespace Biface
         Failure     &failure = result.result.failure;
         std::string &remedies =
           (halving_helps ? failure.further_remedies : failure.remedies);
-        remedies = "softer bristles, by a smaller 'Contact/Tangential "
-                   "regularization' or a 'Contact/Tread'";
+        remedies = "softer bristles, by a smaller '" +
+                   run.stage.in_use(run.progress.stage)
+                     .section_of_tangential_regularization +
+                   "/Tangential regularization' or a 'Contact/Tread'";
         if (last)
           remedies += "; less 'Friction', since the step converged with " +
                       laws->name(*last);

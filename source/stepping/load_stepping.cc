@@ -270,7 +270,7 @@ namespace Biface
   {
     LoadSteppingResult failure;
     failure.success = false;
-    failure.in_use  = run.stage.in_use();
+    failure.in_use  = run.stage.in_use(run.progress.stage);
     failure.reached = run.progress.reached;
     failure.tried   = tried;
     return failure;

@@ -78,7 +78,7 @@ namespace Biface
   };
 
 
-  /** The settings of a stage in which a step fails: no remedy names them again.
+  /** The settings of a stage in which a step fails, on which remedies depend.
    */
   struct InUse
   {
@@ -89,6 +89,10 @@ namespace Biface
     bool arc_length_control   = false;
     /** Whether the 'Type' of the linear solver is 'iterative'. */
     bool iterative_solver = false;
+    /** The sections whose 'Regularization' and 'Tangential regularization' the
+     * stage has. */
+    std::string section_of_regularization            = "Contact";
+    std::string section_of_tangential_regularization = "Contact";
   };
 
 

@@ -66,14 +66,18 @@ namespace Biface
       return start.rolls() || end(start).rolls() || prescribes_axle_moment();
     }
 
-    /** The settings that are no remedy if a step of the stage fails. */
+    /** The settings that matter for remedies if a step of the stage fails.
+     * @param position that of the stage. */
     InUse
-    in_use() const
+    in_use(const unsigned int position) const
     {
+      const std::string own = "Stage " + std::to_string(position + 1);
       return {contact,
               control == ControlKind::displacement,
               control == ControlKind::arc_length,
-              false};
+              false,
+              laws.penalty_stiffness ? own : "Contact",
+              laws.tangential_stiffness ? own : "Contact"};
     }
 
     /** Whether the stage has a ground that may move. */
