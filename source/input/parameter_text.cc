@@ -300,17 +300,46 @@ namespace Biface
         }
       return row.back();
     }
+
+
+    /** The section that holds an entry or a section, with a slash at its end;
+     * empty outside of all sections. */
+    std::string
+    section_of(const std::string &name)
+    {
+      // a section itself ends with a slash
+      return name.substr(0, name.rfind('/', name.size() - 2) + 1);
+    }
   } // namespace
 
 
   std::string
-  nearest_name(const ParameterHandler &prm, const std::string &name)
+  no_such_entry(const ParameterHandler &prm, const std::string &name)
   {
-    const std::vector<std::string> names = declared_names(prm);
-    return *std::min_element(
-      names.begin(), names.end(), [&](const auto &a, const auto &b) {
-        return edit_distance(name, a) < edit_distance(name, b);
-      });
+    const std::vector<std::string> names   = declared_names(prm);
+    const std::string              section = section_of(name);
+    const bool                     is_declared =
+      (section.empty() ||
+       std::find(names.begin(), names.end(), section) != names.end());
+    std::string nearest;
+    // a third of the letters may differ
+    unsigned int limit =
+      (name.size() - (is_declared ? section.size() : 0)) / 3 + 1;
+    for (const std::string &other : names)
+      {
+        if (is_declared && section_of(other) != section)
+          continue;
+        const bool         is_section = (other.back() == '/');
+        const unsigned int distance =
+          edit_distance(name, other.substr(0, other.size() - is_section));
+        if (distance < limit)
+          {
+            nearest = other;
+            limit   = distance;
+          }
+      }
+    return "there is no entry " + quoted(name) +
+           (nearest.empty() ? "" : "; the nearest name is '" + nearest + "'");
   }
 
 
@@ -401,8 +430,7 @@ namespace Biface
       {
         const std::string name =
           lines.at(std::stoi(match[1])).section + match[2].str();
-        return where(match[1]) + "there is no entry " + quoted(name) +
-               "; the nearest name is '" + nearest_name(prm, name) + "'.";
+        return where(match[1]) + no_such_entry(prm, name) + ".";
       }
     if (is(line + "The line <(.*)> could not be parsed.*"))
       return where(match[1]) + quoted(match[2].str()) +

@@ -243,11 +243,7 @@ namespace Biface
   {
     const std::optional<std::string> value = declared.value(number.entry);
     if (!value)
-      throw InputError(where,
-                       text,
-                       "there is no entry " + quoted(number.entry) +
-                         "; the nearest name is " +
-                         quoted(nearest_name(declared.prm, number.entry)));
+      throw InputError(where, text, no_such_entry(declared.prm, number.entry));
     const std::string what =
       "the entry " + quoted(number.entry) + " is " + quoted(*value);
     const std::size_t n = find_numbers(*value).size();

@@ -156,7 +156,8 @@ namespace Biface
     }
 
 
-    /** Refuse sections of stages, materials and bodies that do not exist. */
+    /** Refuse sections of stages, materials and bodies that do not exist, and
+     * that of a study. */
     void
     check_sections(const Source                   &source,
                    const std::vector<std::string> &materials,
@@ -169,6 +170,10 @@ namespace Biface
           const ParameterLine &line = lines[number];
           if (line.keyword != "subsection" || !line.section.empty())
             continue;
+          if (line.name == "Study")
+            throw InputError(parameter_place(source.name, number) +
+                             "the section 'Study' is for runs with "
+                             "'--study'.");
           std::string reason;
           if (const auto stage = number_of_stage(line.name))
             {

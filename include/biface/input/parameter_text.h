@@ -120,14 +120,16 @@ namespace Biface
   };
 
 
-  /** The declared name nearest to an unknown one. */
+  /** The statement that an entry or a section does not exist, as part of a
+   * sentence, with the declared name nearest to it if one is near: of its
+   * section or, if this does not exist either, of all names. */
   std::string
-  nearest_name(const dealii::ParameterHandler &prm, const std::string &name);
+  no_such_entry(const dealii::ParameterHandler &prm, const std::string &name);
 
 
   /**
    * An error of ParameterHandler as one sentence that names file, line, entry,
-   * value and what is allowed, or the known name nearest to an unknown one.
+   * value and what is allowed, or a known name near to an unknown one.
    *
    * @param exception the exception.
    * @param source the name of the text in the sentence.
