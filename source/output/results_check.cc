@@ -22,6 +22,9 @@ namespace Biface
     /** The largest part of the thickness that may penetrate, and of a reaction
      * that may be an error, without a warning. */
     constexpr double remarkable = 0.01;
+    /** A part of the sum of all nodal forces below which a resultant is
+     * round-off. */
+    constexpr double round_off = 1e-6;
 
 
     std::string
@@ -42,8 +45,13 @@ namespace Biface
 
     /** "275.4 or 2 % of the largest reaction". */
     std::string
-    beside_reaction(const double force, const double reaction)
+    beside_reaction(const double force,
+                    const double reaction,
+                    const double nodal_loads)
     {
+      if (reaction < round_off * nodal_loads)
+        return in_digits(force) + " or " + as_percent(force / nodal_loads) +
+               " of the nodal loads";
       return in_digits(force) + (reaction > 0
                                    ? " or " + as_percent(force / reaction) +
                                        " of the largest reaction"
@@ -159,8 +167,11 @@ namespace Biface
           result.largest_reaction = std::max(result.largest_reaction, size);
       }
     // forces that cancel have moments, and the other way around
+    largest_force      = std::max(largest_force, largest_moment / mesh.size());
+    result.nodal_loads = (*report.forces)[ForceTerm::Source::loads].l1_norm();
+    if (largest_force < round_off * result.nodal_loads)
+      largest_force = result.nodal_loads;
     largest_moment  = std::max(largest_moment, largest_force * mesh.size());
-    largest_force   = std::max(largest_force, largest_moment / mesh.size());
     result.error    = std::max(part_of(force.norm(), largest_force),
                             part_of(moment.norm(), largest_moment));
     result.internal = (*report.forces)[ForceTerm::Source::shell].l1_norm();
@@ -171,8 +182,6 @@ namespace Biface
   std::vector<std::string>
   ResultsCheck::add(const StepReport &report, const State &state)
   {
-    // part of the internal forces
-    constexpr double round_off = 1e-6;
     // of a tread
     constexpr double remarkable_compression = 0.3;
 
@@ -213,7 +222,8 @@ namespace Biface
         warned_of_interpolation.insert(stage).second)
       warnings.push_back(
         "Warning: an error of the interpolation of rigid motions, " +
-        beside_reaction(forces.interpolation, forces.largest_reaction) +
+        beside_reaction(
+          forces.interpolation, forces.largest_reaction, forces.nodal_loads) +
         ", is part of the balance of forces (line 'interpolation' of "
         "forces.csv); smaller cells reduce it" +
         (equations.mesh.interpolation == Interpolation::Cartesian
@@ -271,7 +281,9 @@ namespace Biface
               in_digits(forces.largest_reaction) + "\n       ";
     return text + "forces and moments balance to " +
            in_digits(forces.error, "%.0e") + ", interpolation " +
-           beside_reaction(forces.interpolation, forces.largest_reaction) +
+           beside_reaction(forces.interpolation,
+                           forces.largest_reaction,
+                           forces.nodal_loads) +
            "\n";
   }
 } // namespace Biface

@@ -66,6 +66,9 @@ namespace Biface
     struct Balance
     {
       double loads = 0, largest_reaction = 0, interpolation = 0;
+      /** The sum of the magnitudes of all loads on nodes, which is the scale
+       * where the loads balance themselves and reactions are round-off. */
+      double nodal_loads = 0;
       /** The remainder of forces and moments, beside the largest of them. */
       double error = 0;
       /** The sum of the magnitudes of all internal forces on nodes, which is
