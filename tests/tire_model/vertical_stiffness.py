@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 
 # The vertical stiffness and the radius without load are those of the loaded radii of
-# upright wheels that roll straight ahead; the radius must be given where there are none.
+# upright wheels that roll straight ahead; the radius must be given where there are none
+# or where they do not decrease.
 
 from tire_model_test import (TRUCK, check, check_refused, output_of, require, scratch,
                              sweeps, write)
@@ -34,3 +35,10 @@ given = output_of("fit", table, *words, "--radius", "480")
 check(abs(read_tir(output).find("UNLOADED_RADIUS", 0) - 0.48) < 1e-9, given)
 without = write("without.csv", write_table(data.columns, system))
 check_refused(("fit", without, *words), "--radius is missing")
+
+constant = write("constant.csv",
+                 write_table({**data.columns, "loaded_radius": 0 * radii + 0.241}, system))
+check_refused(("fit", constant, *words), "--radius is missing")
+given = output_of("fit", constant, *words, "--radius", "480")
+check("Vertical stiffness" not in given, given)
+check(read_tir(output).find("VERTICAL_STIFFNESS") is None, "a constant radius is soft")

@@ -338,8 +338,9 @@ def fit_table(arguments):
         structure = read_structure(arguments.structure, arguments.units,
                                    rolling and Results(rolling.parent))
     if radius is None and stiffness is None:
-        raise BifaceError("--radius is missing: the table has no column loaded_radius with "
-                          "upright wheels that roll straight ahead at two loads.")
+        raise BifaceError("--radius is missing: the table has no column loaded_radius that "
+                          "decreases with the load where upright wheels roll straight "
+                          "ahead.")
     loaded = data["loaded_radius"]
     if radius and loaded is not None and not 0.5 < radius / loaded.max() < 2:
         raise BifaceError(f"--radius is {radius:.5g} m, but must be near the loaded radii, "

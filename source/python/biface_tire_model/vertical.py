@@ -11,6 +11,10 @@ from .table import ANGLE_STEP
 # load [m], and the range of the loads [N]
 Vertical = namedtuple("Vertical", "stiffness radius lowest highest")
 
+# A decrease of the loaded radius over all loads, relative to the radius without load, up to
+# which it is constant
+LEAST_DECREASE = 1e-6
+
 
 def vertical(data, pressure: float | None = None) -> Vertical | None:
     """The Vertical of Measurements, by least squares over their states without slip and
@@ -34,6 +38,7 @@ def vertical(data, pressure: float | None = None) -> Vertical | None:
         return None
     load = straight["F_z"]
     slope, radius = np.polyfit(load, straight["loaded_radius"], 1)
-    if not slope < 0:
+    # a constant radius has a slope of round-off
+    if not -slope * np.ptp(load) > LEAST_DECREASE * radius:
         return None
     return Vertical(-1 / slope, radius, load.min(), load.max())
