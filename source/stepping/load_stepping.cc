@@ -126,7 +126,7 @@ namespace Biface
         if (!progress.has_failed(*stage_before(stages, next)))
           break;
         progress.failed_stages[next] =
-          "it starts from " + start.name + ", which failed";
+          "the stage from which it starts failed: " + start.name;
       }
     const unsigned int before = *stage_before(stages, next);
     // stages are branches of a tree: the end of the one before may have been

@@ -21,7 +21,7 @@ failed = table["status"] != "ok"
 check(len(table) == 8, f"there are {len(table)} points")
 check(list(failed) == [False, False, True, True] * 2, f"failed: {failed}")
 check("did not converge" in table["status"][2], table["status"][2])
-check(table["status"][3] == "it starts from tire test: point 3; which failed",
+check(table["status"][3] == "the stage from which it starts failed: tire test: point 3",
       table["status"][3])
 check(list(table["load"][2:4]) == [1e6] * 2 and
       list(table["slip_angle"][2:4]) == [0, 1], "the values of failed points")
