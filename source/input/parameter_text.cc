@@ -212,12 +212,14 @@ namespace Biface
           throw InputError(where + "the entry " + quoted(name) + " is " +
                            quoted(line.value) +
                            ", but a value must not contain a brace.");
-        if (!line.value.empty() && line.value.back() == ',')
-          throw InputError(where + InputError(name,
-                                              line.value,
-                                              "a list must not end with a "
-                                              "comma")
-                                     .what());
+        const char last = line.value.empty() ? ' ' : line.value.back();
+        if (last == ',' || last == ';')
+          throw InputError(
+            where + InputError(name,
+                               line.value,
+                               std::string("a list must not end with a ") +
+                                 (last == ',' ? "comma" : "semicolon"))
+                      .what());
         // splitting a list takes quadratic time
         if (line.value.size() > 100000)
           throw InputError(where + "the entry " + quoted(name) + " has " +

@@ -55,7 +55,7 @@ namespace Biface
    * set twice, of which it takes the last value; braces, which it takes for a
    * list of alternatives; included files, which every rank would read; numbers
    * that would overflow; sections within too many others. Also refuse a list
-   * that ends with a comma, which may have lost its last items.
+   * that ends with a comma or a semicolon, which may have lost its last items.
    *
    * Throws InputError.
    *
