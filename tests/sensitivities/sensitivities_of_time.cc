@@ -2,8 +2,7 @@
 
 // Derivatives by the duration and the temperature of stages, and by numbers of
 // materials that relax: those of the closed form of a strip that is stretched
-// and held, and those of whole runs of a tire under a given force, with
-// friction, in steps that adapt, in a stage that starts from an earlier one,
+// and held, and those of whole runs of a tire under a given force, in a stage that starts from an earlier one,
 // and of a sealed gas.
 
 #include <array>
@@ -117,18 +116,6 @@ main(int argc, char **argv)
                       entries + "Stage 2/Force; Material cord/Relaxation "
                                 "times[1]; Material cord/WLF C1",
                       "approach, side u_x");
-  check_sensitivities("friction in steps that adapt",
-                      tire,
-                      with({"Number of stages=3",
-                            "Stage 3/Contact=true",
-                            "Stage 3/Friction=0.5",
-                            "Contact/Tangential regularization=10",
-                            "Stage 3/Slide=0,2,0",
-                            "Stage 3/Duration=3",
-                            "Stage 3/Steps=3",
-                            "Stage 3/Adaptive steps=true"}),
-                      entries + "Stage 3/Duration",
-                      "force, foundation F_y, side u_x");
   check_sensitivities("branch",
                       tire,
                       with({"Number of stages=4",

@@ -13,7 +13,7 @@ run.press("load", 2e5, (2000, 4000), lambda load: load / 2e5)
 run.move("lateral", 4000, 2e5, 1.5e5)
 run.move("longitudinal", 4000, 2e5, 4e5, "friction")
 run.move("turn", 4000, 2e5, 5000)
-run.vibrate("inflated, unloaded", 2e5, [(40, 0, 1, 0, 0.8, 0), (60, 0, 3, 0, 0, 0)])
+run.vibrate("inflated without load", 2e5, [(40, 0, 1, 0, 0.8, 0), (60, 0, 3, 0, 0, 0)])
 directory = run.write()
 
 
@@ -44,7 +44,7 @@ agree(longitudinal[0], {"footprint": "with friction", "first_secant [N/mm]": 400
 degree = 3.14159265358979 / 180
 agree(torsional[0], {"motion [degree]": 0.2,
                      "first_secant [N mm/degree]": 5e6 * degree})
-agree(modes[0], {"stage": "inflated, unloaded", "pressure [MPa]": 0.2, "mode": "1",
+agree(modes[0], {"stage": "inflated without load", "pressure [MPa]": 0.2, "mode": "1",
                  "frequency [Hz]": 40, "name": "lateral", "mass_y [%]": 80})
 agree(modes[1], {"frequency [Hz]": 60, "name": "", "meridional_half_waves": "3"})
 
