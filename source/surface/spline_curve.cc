@@ -75,7 +75,7 @@ namespace Biface
     }
 
     /** The polynomial of fifth degree between two points of curves, see
-     * SplineCurve::Corner. */
+     * SplineCurve::Rounding. */
     std::array<Tensor<1, 2>, 6>
     quintic(const Meridian::PointOfCurve &a,
             const Meridian::PointOfCurve &b,
@@ -180,11 +180,11 @@ namespace Biface
           samples.emplace_back(s, evaluate(s).position);
         }
     check_crossing(contour, name);
-    for (const Corner &corner : corners)
+    for (const Rounding &rounding : roundings)
       for (unsigned int k = 0; k <= 4 * n_samples; ++k)
         {
-          const double s =
-            corner.begin + (corner.end - corner.begin) * k / (4 * n_samples);
+          const double s = rounding.begin + (rounding.end - rounding.begin) *
+                                              k / (4 * n_samples);
           samples.emplace_back(s, evaluate(s).position);
         }
   }
@@ -262,6 +262,8 @@ namespace Biface
         // the polynomial between straight lines is sharpest in its middle
         factors.push_back(1.5 * std::sin(half) /
                           (std::cos(half) * std::cos(half)));
+        const double turn = before[0] * after[1] - before[1] * after[0];
+        corners.push_back({s, turn > 0 ? corner_radius : -corner_radius});
       }
     for (unsigned int k = 0; k < factors.size(); ++k)
       {
@@ -280,11 +282,11 @@ namespace Biface
                              " for the kink at " + where);
         const double s     = parts[k].end;
         const double begin = s - length, end = s + length;
-        corners.push_back({begin,
-                           end,
-                           quintic(parts[k].evaluate(begin),
-                                   parts[k + 1].evaluate(end),
-                                   end - begin)});
+        roundings.push_back({begin,
+                             end,
+                             quintic(parts[k].evaluate(begin),
+                                     parts[k + 1].evaluate(end),
+                                     end - begin)});
         char interval[64];
         std::snprintf(interval, sizeof(interval), "%.5g to %.5g", begin, end);
         remarks.push_back(
@@ -333,22 +335,22 @@ namespace Biface
   {
     // the end points, up to round-off
     const double knot = std::min(std::max(s, knots.front()), knots.back());
-    for (unsigned int k = 0; k < corners.size(); ++k)
+    for (unsigned int k = 0; k < roundings.size(); ++k)
       {
-        const Corner &corner = corners[k];
-        if (knot <= corner.begin)
+        const Rounding &rounding = roundings[k];
+        if (knot <= rounding.begin)
           return parts[k].evaluate(knot);
-        if (knot >= corner.end)
+        if (knot >= rounding.end)
           continue;
-        const double length = corner.end - corner.begin;
-        const double x      = (knot - corner.begin) / length;
+        const double length = rounding.end - rounding.begin;
+        const double x      = (knot - rounding.begin) / length;
         Tensor<1, 2> position, first, second;
         // Horner's scheme, with that of the derivatives
         for (unsigned int i = 6; i-- > 0;)
           {
             second   = x * second + 2 * first;
             first    = x * first + position;
-            position = x * position + corner.coefficients[i];
+            position = x * position + rounding.coefficients[i];
           }
         return {Point<2>(position), first / length, second / (length * length)};
       }

@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace Biface
 {
@@ -30,6 +31,16 @@ namespace Biface
       dealii::Tensor<1, 2> second_derivative;
     };
 
+    /** A rounded corner. */
+    struct Corner
+    {
+      /** The parameter in the middle of the corner. */
+      double s;
+      /** The least radius of curvature, positive where the curve turns to the
+       * left, away from the outward normal. Unit: length. */
+      double radius;
+    };
+
     /** The curve at the parameter @p s. */
     virtual PointOfCurve
     evaluate(const double s) const = 0;
@@ -47,6 +58,13 @@ namespace Biface
      * see ReferenceSurface::coordinate_unit(). */
     virtual double
     coordinate_unit() const = 0;
+
+    /** The rounded corners, which may be shorter than the cells of a mesh. */
+    virtual std::vector<Corner>
+    get_corners() const
+    {
+      return {};
+    }
 
     /** The angle of the cords at the crown of a curve that is in equilibrium
      * with their tension, in degrees, see

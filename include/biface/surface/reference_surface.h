@@ -9,7 +9,9 @@
 
 #include <optional>
 #include <utility>
+#include <vector>
 
+#include <biface/surface/meridian.h>
 #include <biface/surface/surface_point.h>
 
 namespace Biface
@@ -89,6 +91,14 @@ namespace Biface
      * has one. */
     double
     end(const unsigned int a) const;
+
+    /** The rounded corners along the first coordinate; none for most
+     * surfaces. */
+    virtual std::vector<Meridian::Corner>
+    get_corners() const
+    {
+      return {};
+    }
 
     /** The angle of the cords from the circumference at the crown, in degrees,
      * of a surface that is in equilibrium with their tension; none for other

@@ -30,8 +30,8 @@ namespace Biface
   class SplineCurve : public Meridian
   {
   public:
-    /** A rounded corner. */
-    struct Corner
+    /** The curve that rounds a corner. */
+    struct Rounding
     {
       /** Where the rounding begins and ends. */
       double begin, end;
@@ -66,6 +66,12 @@ namespace Biface
 
     double
     coordinate_unit() const override;
+
+    std::vector<Corner>
+    get_corners() const override
+    {
+      return corners;
+    }
 
     /** The parameter of the last point. */
     double
@@ -118,6 +124,8 @@ namespace Biface
     std::vector<std::pair<double, dealii::Point<2>>> samples;
     std::vector<Part>                                parts;
     /** Between each part and the next one. */
+    std::vector<Rounding> roundings;
+    /** What the roundings make of each kink. */
     std::vector<Corner>      corners;
     std::vector<std::string> remarks;
   };

@@ -4,6 +4,7 @@
 #define biface_surface_surface_of_revolution_h
 
 #include <memory>
+#include <vector>
 
 #include <biface/surface/meridian.h>
 #include <biface/surface/reference_surface.h>
@@ -49,6 +50,12 @@ namespace Biface
 
     double
     coordinate_unit(const unsigned int a) const override;
+
+    std::vector<Meridian::Corner>
+    get_corners() const override
+    {
+      return meridian->get_corners();
+    }
 
     std::optional<double>
     crown_cord_angle() const override

@@ -200,6 +200,41 @@ namespace Biface
     }
 
 
+    /** Throw InputError if a face lies beyond the center of curvature of a
+     * rounded corner, whether or not there are nodes on it. @p face_heights
+     * are those of all faces between two lines, at both of these. */
+    void
+    check_corners(
+      const ReferenceSurface                                &surface,
+      const ChartGrid                                       &grid,
+      const std::vector<std::array<std::vector<double>, 2>> &face_heights)
+    {
+      for (const Meridian::Corner &corner : surface.get_corners())
+        for (unsigned int i = 0; i + 1 < grid.lines[0].size(); ++i)
+          {
+            const double below = grid.lines[0][i], above = grid.lines[0][i + 1];
+            if (!(below <= corner.s && corner.s <= above))
+              continue;
+            const auto  &heights = face_heights[i];
+            const bool   inside  = corner.radius > 0;
+            const double x       = (corner.s - below) / (above - below);
+            const double height =
+              inside ? (1 - x) * heights[0].front() + x * heights[1].front()
+                     : (1 - x) * heights[0].back() + x * heights[1].back();
+            if (!(1 + height / corner.radius > 0))
+              throw InputError(
+                "Surface/Spline/Corner radius",
+                number_to_string(std::abs(corner.radius)),
+                "it must be greater than " +
+                  number_to_string(std::abs(height)) +
+                  ", the distance of the " + (inside ? "inner" : "outer") +
+                  " face from the reference surface at the corner at "
+                  "alpha_1 = " +
+                  number_to_string(corner.s / surface.coordinate_unit(0)));
+          }
+    }
+
+
     /** The diagonal of the box around a triangulation on all ranks. */
     double
     diagonal_of_box(const parallel::TriangulationBase<2, 3> &triangulation)
@@ -393,6 +428,7 @@ namespace Biface
     strips = faces.strips;
     for (const Faces::Heights &heights : faces.on_lines)
       max_thickness = std::max(max_thickness, heights.back() - heights.front());
+    check_corners(*this->surface, grid, faces.of_strips);
     for (const unsigned int side : {0, 1})
       check_geometry(*this->surface, grid, faces.on_side(side));
 
