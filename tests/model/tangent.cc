@@ -172,19 +172,19 @@ main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  test("symmetric law, consistent mass",
+  test("symmetric law, consistent mortar matrix",
        ThicknessLaw::symmetric,
        MortarMatrix::consistent,
        StrainTheory::nonlinear);
-  test("symmetric law, lumped mass",
+  test("symmetric law, lumped mortar matrix",
        ThicknessLaw::symmetric,
        MortarMatrix::lumped,
        StrainTheory::nonlinear);
-  test("asymmetric law, consistent mass",
+  test("asymmetric law, consistent mortar matrix",
        ThicknessLaw::asymmetric,
        MortarMatrix::consistent,
        StrainTheory::nonlinear);
-  test("full law, lumped mass",
+  test("full law, lumped mortar matrix",
        ThicknessLaw::full,
        MortarMatrix::lumped,
        StrainTheory::nonlinear);
@@ -260,7 +260,7 @@ main(int argc, char *argv[])
   for (const auto mass : {MortarMatrix::lumped, MortarMatrix::consistent})
     {
       const std::string name =
-        (mass == MortarMatrix::lumped ? "lumped mass" : "consistent mass");
+        (mass == MortarMatrix::lumped ? "lumped mortar matrix" : "consistent mortar matrix");
       test("drum, " + name,
            ThicknessLaw::symmetric,
            mass,
