@@ -198,8 +198,8 @@ namespace Biface
           theta.per_clearance * along_motion[i] * before.at_body.normal;
         by_itself[i] +=
           theta.value * (speed * t + motion * at.tangent_gradients[i]) +
-          theta.per_pressure * along_motion[i] *
-            condition.penalty_stiffness() * n;
+          theta.per_pressure * along_motion[i] * condition.penalty_stiffness() *
+            n;
       }
     Tensor<1, 2> per_speed =
       bristle_before.deflection +
@@ -235,10 +235,10 @@ namespace Biface
         const auto         project   = [&](const Tensor<1, 2> &v) {
           return radius / norm * (v - (direction * v) * direction);
         };
-        bristle.deflection = radius * direction;
-        bristle.extrapolation =
-          project(trial_extrapolation) +
-          (exact - pressure) * limit.per_pressure / law.tangential_stiffness() * direction;
+        bristle.deflection    = radius * direction;
+        bristle.extrapolation = project(trial_extrapolation) +
+                                (exact - pressure) * limit.per_pressure /
+                                  law.tangential_stiffness() * direction;
         bristle.slip_velocity = (trial - speed * bristle.deflection) / at.angle;
         for (auto &by_station : bristle.per_position)
           {

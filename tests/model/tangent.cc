@@ -260,7 +260,8 @@ main(int argc, char *argv[])
   for (const auto mass : {MortarMatrix::lumped, MortarMatrix::consistent})
     {
       const std::string name =
-        (mass == MortarMatrix::lumped ? "lumped mortar matrix" : "consistent mortar matrix");
+        (mass == MortarMatrix::lumped ? "lumped mortar matrix"
+                                      : "consistent mortar matrix");
       test("drum, " + name,
            ThicknessLaw::symmetric,
            mass,

@@ -2,8 +2,8 @@
 
 // Derivatives by the duration and the temperature of stages, and by numbers of
 // materials that relax: those of the closed form of a strip that is stretched
-// and held, and those of whole runs of a tire under a given force, in a stage that starts from an earlier one,
-// and of a sealed gas.
+// and held, and those of whole runs of a tire under a given force, in a stage
+// that starts from an earlier one, and of a sealed gas.
 
 #include <array>
 #include <cmath>
