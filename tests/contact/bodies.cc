@@ -58,10 +58,9 @@ namespace
         clearance = std::max(
           clearance, std::abs(at.clearance - distance(y[2], -y[0], y[1])));
         unit = std::max(unit, std::abs(at.normal.norm() - 1));
-        Tensor<1, 3>          minus_gradient;
-        SymmetricTensor<2, 3> change;
-        bool                  smooth = true;
-        Tensor<2, 3>          differences;
+        Tensor<1, 3> minus_gradient;
+        bool         smooth = true;
+        Tensor<2, 3> differences;
         for (unsigned int j = 0; j < 3; ++j)
           {
             Tensor<1, 3> e;

@@ -9,7 +9,9 @@
 #include <cmath>
 
 #include <biface/laminate/layup.h>
+#include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_parameters.h>
+#include <biface/model/equations/force_terms.h>
 #include <biface/model/forces/cavity.h>
 #include <biface/model/mesh/named_points.h>
 #include <biface/model/mesh/strip.h>

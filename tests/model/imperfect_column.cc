@@ -26,8 +26,8 @@ main(int argc, char *argv[])
     DATA_DIR "/imperfect_column.prm",
     {},
     [&](const ShellEquations &equations,
-        const StepReport     &report,
-        const State          &state) {
+        const StepReport & /*report*/,
+        const State &state) {
       double largest = 0;
       for (const Node &node : equations.mesh.nodes)
         largest = std::max(largest,
