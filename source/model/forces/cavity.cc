@@ -77,8 +77,25 @@ namespace Biface
         linear_part = unit_symmetric_tensor<3>();
         linear_part = (linear_part - outer_product(axis, axis)) / 2;
         if (rim_radius > 0)
-          within_rim = forces_on_planes(
-            mesh, face, {Edge::alpha_1_min, Edge::alpha_1_max}, rim_radius);
+          for (const BoundarySegment &segment : mesh.boundary)
+            if (segment.edge == Edge::alpha_1_min ||
+                segment.edge == Edge::alpha_1_max)
+              {
+                MixedElement::NodalVector of_cell;
+                for (unsigned int n = 0; n < 2; ++n)
+                  MixedElement::add_face_force(
+                    half_of_plane(mesh,
+                                  face,
+                                  segment,
+                                  mesh.nodes[segment.nodes[n]],
+                                  rim_radius),
+                    segment.vertices[n],
+                    face,
+                    of_cell);
+                mesh.add_nodal_forces(
+                  mesh.cells[segment.cell], of_cell, within_rim);
+              }
+        within_rim.compress(VectorOperation::add);
       }
     else
       linear_part[2][2] = 1;

@@ -13,56 +13,62 @@ namespace Biface
 {
   using namespace dealii;
 
-  LA::Vector
-  forces_on_planes(const ShellMesh            &mesh,
-                   const Resultants::Face      face,
-                   const std::vector<Edge>    &edges,
-                   const std::optional<double> radius)
+  Tensor<1, 3>
+  half_of_plane(const ShellMesh            &mesh,
+                const Resultants::Face      face,
+                const BoundarySegment      &segment,
+                const Node                 &node,
+                const std::optional<double> radius)
   {
-    LA::Vector         result = mesh.owned_vector();
-    const Tensor<1, 3> axis   = mesh.get_surface().axis();
+    const Tensor<1, 3>  axis    = mesh.get_surface().axis();
+    const SurfacePoint &surface = node.surface;
+    const Tensor<1, 3>  x(surface.position +
+                         node.face_heights[face] * surface.frame[2]);
+    const Tensor<1, 3>  arm = x - (x * axis) * axis;
+    // within the side of a cell, which is straight if positions are
+    // interpolated
+    const double angle = segment.length / surface.lame[1];
+    const double area =
+      (radius
+         ? *radius * *radius * angle
+         : arm.norm_square() * (mesh.interpolation == Interpolation::Cartesian
+                                  ? std::sin(angle)
+                                  : angle)) /
+      4;
+
+    // away from the cavity, which is on the side of the face
+    const Tensor<1, 3> of_axis =
+      surface.position - (surface.position * axis) * axis;
+    const bool at_end  = (segment.edge == Edge::alpha_1_max);
+    const bool follows = cross_product_3d(axis, of_axis) * surface.frame[1] > 0;
+    const double outward =
+      (follows == at_end ? -1. : 1.) * (face == Resultants::inner ? 1. : -1.);
+    return surface.to_frame(outward * area * axis);
+  }
+
+
+  EndPlates::EndPlates(const ShellMesh &mesh, const PressureLoad &pressure)
+    : at_unit_pressure(mesh.owned_vector())
+  {
+    const std::vector<Edge> &edges = pressure.end_plates;
     for (const BoundarySegment &segment : mesh.boundary)
       if (std::find(edges.begin(), edges.end(), segment.edge) != edges.end())
         for (const unsigned int n : segment.nodes)
           {
-            const Node         &node    = mesh.nodes[n];
-            const SurfacePoint &surface = node.surface;
-            const Tensor<1, 3>  x(surface.position +
-                                 node.face_heights[face] * surface.frame[2]);
-            const Tensor<1, 3>  arm = x - (x * axis) * axis;
-            // half of the area within the side of a cell, which is straight if
-            // positions are interpolated
-            const double angle = segment.length / surface.lame[1];
-            const double area =
-              (radius ? *radius * *radius * angle
-                      : arm.norm_square() *
-                          (mesh.interpolation == Interpolation::Cartesian
-                             ? std::sin(angle)
-                             : angle)) /
-              4;
-
-            // away from the cavity, which is on the side of the face
-            const Tensor<1, 3> of_axis =
-              surface.position - (surface.position * axis) * axis;
-            const bool at_end = (segment.edge == Edge::alpha_1_max);
-            const bool follows =
-              cross_product_3d(axis, of_axis) * surface.frame[1] > 0;
-            const double outward = (follows == at_end ? -1. : 1.) *
-                                   (face == Resultants::inner ? 1. : -1.);
-
-            const Tensor<1, 3> force = surface.to_frame(outward * area * axis);
+            const Node        &node = mesh.nodes[n];
+            const Tensor<1, 3> force =
+              half_of_plane(mesh, pressure.face, segment, node);
             for (unsigned int i = 0; i < 3; ++i)
               {
                 std::vector<double> values{force[i]};
                 for (const double part : node.thickness_weights())
                   values.push_back(part * force[i]);
                 const auto *first = &node.dofs[node.position(i, 0)];
-                result.add(std::vector<types::global_dof_index>(
-                             first, first + node.n_parts()),
-                           values);
+                at_unit_pressure.add(std::vector<types::global_dof_index>(
+                                       first, first + node.n_parts()),
+                                     values);
               }
           }
-    result.compress(VectorOperation::add);
-    return result;
+    at_unit_pressure.compress(VectorOperation::add);
   }
 } // namespace Biface

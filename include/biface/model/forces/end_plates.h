@@ -3,6 +3,8 @@
 #ifndef biface_model_forces_end_plates_h
 #define biface_model_forces_end_plates_h
 
+#include <deal.II/base/tensor.h>
+
 #include <optional>
 #include <vector>
 
@@ -14,35 +16,30 @@
 
 namespace Biface
 {
-  /**
-   * The nodal forces of a unit pressure on planes orthogonal to the axis at
-   * edges of the first coordinate: along the axis, away from the cavity, on the
-   * undeformed area within the edge of the face under pressure. The edge is a
+  /** Half of the area, at one of both nodes of a side of a cell on an edge of
+   * the first coordinate, between the axis and the edge of the face under
+   * pressure, in a plane orthogonal to the axis; times the unit vector along
+   * the axis and away from the cavity, in the frame of the node. The edge is a
    * circle or, where the element interpolates positions, the polygon through
-   * the nodes, so that the planes balance the pressure on the shell. As a
-   * derivative by the nodal unknowns, they are that of the volume that the
-   * planes sweep as they move along the axis.
-   * @param radius of circles in place of the edges, if set. Unit: length.
-   */
-  LA::Vector
-  forces_on_planes(const ShellMesh            &mesh,
-                   const Resultants::Face      face,
-                   const std::vector<Edge>    &edges,
-                   const std::optional<double> radius = {});
+   * the nodes. Unit: length^2.
+   * @param radius of a circle in place of the edge, if set. Unit: length. */
+  dealii::Tensor<1, 3>
+  half_of_plane(const ShellMesh            &mesh,
+                const Resultants::Face      face,
+                const BoundarySegment      &segment,
+                const Node                 &node,
+                const std::optional<double> radius = {});
 
 
   /**
    * The pressure on rigid plates that close edges of a surface of revolution,
-   * which pass it on to the edge, see forces_on_planes(). With Cavity, whose
+   * which pass it on to the edge, see half_of_plane(). With Cavity, whose
    * volume includes what the plates sweep, a sealed gas is conservative.
    */
   class EndPlates : public ForceTerm
   {
   public:
-    EndPlates(const ShellMesh &mesh, const PressureLoad &pressure)
-      : at_unit_pressure(
-          forces_on_planes(mesh, pressure.face, pressure.end_plates))
-    {}
+    EndPlates(const ShellMesh &mesh, const PressureLoad &pressure);
 
     void
     add_dead_forces(const LoadRates &loads,
