@@ -144,13 +144,12 @@ namespace Biface
 
   double
   FollowerPressure::flux(const Tensor<2, 3>        &A,
-                         const Tensor<1, 3>        &c,
                          MixedElement::NodalVector *gradient) const
   {
     const ElementGeometry::Stations &stations = geometry.stations;
     const Tensor<2, 3>               A_in_frame =
       transpose(stations.axes) * A * stations.axes;
-    const Tensor<1, 3> c_in_frame = (A * stations.origin + c) * stations.axes;
+    const Tensor<1, 3> at_origin = (A * stations.origin) * stations.axes;
 
     double sum = 0;
     for (unsigned int i = 0; i < n_points[0]; ++i)
@@ -160,7 +159,7 @@ namespace Biface
           {
             const auto        &t    = tangents[i][j];
             const Tensor<1, 3> area = cross_product_3d(t[0], t[1]);
-            const Tensor<1, 3> F    = A_in_frame * positions[i][j] + c_in_frame;
+            const Tensor<1, 3> F    = A_in_frame * positions[i][j] + at_origin;
             sum += pressure[i][j] * (F * area);
             if (!gradient)
               continue;

@@ -59,17 +59,15 @@ namespace Biface
     void
     add_derivative(const double factor, MixedElement::NodalMatrix &K) const;
 
-    /** The flux of the pressure times a vector field
-     * @f$\mathbf A\mathbf x + \mathbf c@f$ through the deformed face, against
-     * the pressure's direction if that is negative; exact for a constant
-     * pressure.
-     * @param A, c in Cartesian coordinates. If components are interpolated, the
+    /** The flux of the pressure times the vector field @f$\mathbf A\mathbf x@f$
+     * through the deformed face, positive where a positive pressure pushes
+     * along the field; exact for a constant pressure.
+     * @param A in Cartesian coordinates. If components are interpolated, the
      * field is symmetric about the axis of the surface.
      * @param gradient the derivative by the nodal displacements is added,
      * unless null. */
     double
     flux(const dealii::Tensor<2, 3> &A,
-         const dealii::Tensor<1, 3> &c,
          MixedElement::NodalVector  *gradient = nullptr) const;
 
   private:

@@ -104,9 +104,7 @@ namespace Biface
     for (const Cell &cell : mesh.wall_elements())
       {
         exact += exact_flux(cell);
-        of_cells +=
-          FollowerPressure(cell.geometry, MixedElement::NodalVector(), face)
-            .flux(linear_part, Tensor<1, 3>());
+        of_cells += flux(cell, MixedElement::NodalVector());
       }
     exact    = Utilities::MPI::sum(exact, mesh.communicator);
     constant = parameters.volume.value_or(exact) -
@@ -126,7 +124,7 @@ namespace Biface
   {
     double sum = 0;
     for (const Cell &cell : mesh.wall_elements())
-      sum += flux(cell, state);
+      sum += flux(cell, mesh.cell_values(state.displacement, cell));
     return constant + Utilities::MPI::sum(sum, mesh.communicator) -
            within_rim * owned_part(state.displacement);
   }
@@ -139,7 +137,7 @@ namespace Biface
     for (const Cell &cell : mesh.wall_elements())
       {
         MixedElement::NodalVector of_cell;
-        flux(cell, state, &of_cell);
+        flux(cell, mesh.cell_values(state.displacement, cell), &of_cell);
         mesh.add_nodal_forces(cell, of_cell, gradient);
       }
     gradient.compress(VectorOperation::add);
@@ -160,13 +158,11 @@ namespace Biface
 
 
   double
-  Cavity::flux(const Cell                &cell,
-               const State               &state,
-               MixedElement::NodalVector *gradient) const
+  Cavity::flux(const Cell                      &cell,
+               const MixedElement::NodalVector &V,
+               MixedElement::NodalVector       *gradient) const
   {
-    return FollowerPressure(
-             cell.geometry, mesh.cell_values(state.displacement, cell), face)
-      .flux(linear_part, Tensor<1, 3>(), gradient);
+    return FollowerPressure(cell.geometry, V, face).flux(linear_part, gradient);
   }
 
 

@@ -86,9 +86,9 @@ namespace Biface
      * cell.
      * @param gradient its derivative is added, unless null. */
     double
-    flux(const Cell                &cell,
-         const State               &state,
-         MixedElement::NodalVector *gradient = nullptr) const;
+    flux(const Cell                      &cell,
+         const MixedElement::NodalVector &V,
+         MixedElement::NodalVector       *gradient = nullptr) const;
 
     /** The flux through the undeformed face of a cell. */
     double
