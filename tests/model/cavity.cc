@@ -150,7 +150,9 @@ main(int argc, char *argv[])
       const ContactInteraction contact(*mesh, contact_parameters);
       const ShellEquations equations(*mesh, make_force_terms(*mesh, contact));
       State                state(*mesh);
-      state.displacement = some_displacement(*mesh, 5, 1);
+      // named, since a temporary would be moved together with its partition
+      const LA::Vector V = some_displacement(*mesh, 5, 1);
+      state.displacement = V;
       LoadRates unit;
       unit.pressure      = 1;
       const LA::Vector f = equations.load_direction(state, Loads(), unit);

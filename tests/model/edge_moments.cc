@@ -64,7 +64,9 @@ namespace
     const ShellEquations     equations(mesh,
                                    make_force_terms(mesh, contact, loads));
     State                    state(mesh);
-    state.displacement = some_displacement(mesh, 2, 1);
+    // named, since a temporary would be moved together with its partition
+    const LA::Vector V = some_displacement(mesh, 2, 1);
+    state.displacement = V;
     Loads at;
     at.factors = {2};
     const Total total(
