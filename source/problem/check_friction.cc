@@ -15,15 +15,6 @@ namespace Biface
 
   namespace
   {
-    /** The coefficient of friction of the ground in a stage. */
-    FrictionCoefficient
-    coefficient_in(const Parameters &parameters, const Stage &stage)
-    {
-      return stage.laws.friction.value_or(
-        parameters.contact.friction.coefficient);
-    }
-
-
     /** Check the coefficient of friction and the glue of a stage. */
     void
     check_entries(const std::vector<Stage> &stages, const unsigned int i)
@@ -91,7 +82,7 @@ namespace Biface
     {
       const Stage              &stage       = parameters.stages[i];
       const std::string         section     = "Stage " + std::to_string(i + 1);
-      const FrictionCoefficient coefficient = coefficient_in(parameters, stage);
+      const FrictionCoefficient coefficient = parameters.friction_in(stage);
       if (coefficient.depends_on_speed())
         throw InputError(stage.laws.friction ? section + "/Friction"
                                              : "Contact/Friction",
@@ -105,6 +96,13 @@ namespace Biface
                          "friction = bristles'");
     }
   } // namespace
+
+
+  FrictionCoefficient
+  Parameters::friction_in(const Stage &stage) const
+  {
+    return stage.laws.friction.value_or(contact.friction.coefficient);
+  }
 
 
   void
@@ -124,7 +122,7 @@ namespace Biface
           throw InputError(section + "/Glued",
                            "true",
                            "it must be 'false' where the wheel rolls");
-        if (!stage.contact || coefficient_in(*this, stage).is_zero())
+        if (!stage.contact || friction_in(stage).is_zero())
           continue;
         if (stage.locates_critical_points())
           throw InputError(section + "/Critical points",

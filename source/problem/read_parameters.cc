@@ -490,10 +490,7 @@ namespace Biface
         parameters.stages.end(),
         [&](const Stage &stage) {
           return stage.contact &&
-                 (stage.laws.glued ||
-                  !stage.laws.friction
-                     .value_or(parameters.contact.friction.coefficient)
-                     .is_zero());
+                 (stage.laws.glued || !parameters.friction_in(stage).is_zero());
         });
       const std::string     entry = "Sensitivities/Entries";
       const DeclaredEntries declared(prm);

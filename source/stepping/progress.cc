@@ -9,7 +9,7 @@ namespace Biface
   Stage
   Progress::complete(const Stage &given) const
   {
-    const LoadLevel &start = stage_begun ? control.start : reached;
+    const LoadLevel &start = start_of_stage();
     Stage result = with_angular_velocity(given, start, free_rolling_radius);
     if (given.duration > 0)
       result.time = start.time + given.duration;

@@ -92,13 +92,11 @@ namespace Biface
     , heat(heat)
     , progress(progress)
     , state(state)
-    , stage(with_change_of_stiffness(
-        progress.complete(stages[progress.stage]),
-        before_in(stages, progress.stage),
-        progress.stage_begun ? progress.control.start : progress.reached))
+    , stage(with_change_of_stiffness(progress.complete(stages[progress.stage]),
+                                     before_in(stages, progress.stage),
+                                     progress.start_of_stage()))
     , control(make_control(stage, parameters))
-    , rolls(stage.rolls(progress.stage_begun ? progress.control.start
-                                             : progress.reached))
+    , rolls(stage.rolls(progress.start_of_stage()))
     , laws(contact.ground().laws(stage.laws, rolls))
     , laws_of_bodies(make_laws_of_bodies(contact, stage))
     , before(before_in(stages, progress.stage))
@@ -121,9 +119,8 @@ namespace Biface
     loads.factors_of_shape = progress.factors_of_shape;
     if (stage.theory == StrainTheory::linear)
       {
-        const LoadLevel &start =
-          (progress.stage_begun ? progress.control.start : progress.reached);
-        loads.linearized_at = LoadRates{start.pressure, start.factors};
+        const LoadLevel &start = progress.start_of_stage();
+        loads.linearized_at    = LoadRates{start.pressure, start.factors};
       }
     if (rolls)
       loads.rolling = Rolling{level.angular_velocity};

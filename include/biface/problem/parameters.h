@@ -126,6 +126,10 @@ namespace Biface
                                     stages.size() - 1);
     }
 
+    /** The coefficient of friction of the ground in a stage. */
+    FrictionCoefficient
+    friction_in(const Stage &stage) const;
+
   private:
     /** Declare the entries of the stages, and their number. */
     void

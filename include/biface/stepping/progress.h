@@ -85,6 +85,13 @@ namespace Biface
       return failed_stages.count(position) > 0;
     }
 
+    /** The loads at the start of the current stage. */
+    const LoadLevel &
+    start_of_stage() const
+    {
+      return stage_begun ? control.start : reached;
+    }
+
     /** Whether the stages up to @p last_stage are complete. */
     bool
     at_end_of(const unsigned int last_stage) const
