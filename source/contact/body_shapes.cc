@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <biface/base/errors.h>
+#include <biface/contact/body_section.h>
 #include <biface/contact/body_shapes.h>
 #include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>

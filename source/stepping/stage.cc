@@ -7,6 +7,7 @@
 #include <biface/contact/friction.h>
 #include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/solver/failure.h>
 #include <biface/stepping/stage.h>
 
 namespace Biface
@@ -35,6 +36,19 @@ namespace Biface
       return static_cast<unsigned int>(earlier);
     }
   } // namespace
+
+
+  InUse
+  Stage::in_use(const unsigned int position) const
+  {
+    const std::string own = "Stage " + std::to_string(position + 1);
+    return {contact,
+            control == ControlKind::displacement,
+            control == ControlKind::arc_length,
+            false,
+            laws.penalty_stiffness ? own : "Contact",
+            laws.tangential_stiffness ? own : "Contact"};
+  }
 
 
   void

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include <biface/surface/meridian.h>
 #include <biface/surface/reference_surface.h>
 
 namespace Biface
@@ -15,6 +16,13 @@ namespace Biface
       for (unsigned int a = 0; a < 2; ++a)
         tangents[i][a] = point.lame[a] * point.frame[a][i];
     return tangents;
+  }
+
+
+  std::vector<RoundedCorner>
+  ReferenceSurface::get_corners() const
+  {
+    return {};
   }
 
 

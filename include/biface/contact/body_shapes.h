@@ -10,10 +10,9 @@
 #include <memory>
 #include <optional>
 
-#include <biface/contact/body_section.h>
-
 namespace Biface
 {
+  class BodySection;
   class EntryDeclarations;
 
 

@@ -7,7 +7,6 @@
 #include <string>
 
 #include <biface/model/state/strain_theory.h>
-#include <biface/solver/failure.h>
 #include <biface/stepping/load_level.h>
 #include <biface/stepping/stage_control.h>
 #include <biface/stepping/stage_loads.h>
@@ -16,6 +15,7 @@
 namespace Biface
 {
   class EntryDeclarations;
+  struct InUse;
 
 
   /** An instant of an analysis: the position of the stage and the completed
@@ -69,16 +69,7 @@ namespace Biface
     /** The settings that matter for remedies if a step of the stage fails.
      * @param position that of the stage. */
     InUse
-    in_use(const unsigned int position) const
-    {
-      const std::string own = "Stage " + std::to_string(position + 1);
-      return {contact,
-              control == ControlKind::displacement,
-              control == ControlKind::arc_length,
-              false,
-              laws.penalty_stiffness ? own : "Contact",
-              laws.tangential_stiffness ? own : "Contact"};
-    }
+    in_use(const unsigned int position) const;
 
     /** Whether the stage has a ground that may move. */
     bool

@@ -12,6 +12,17 @@
 
 namespace Biface
 {
+  /** A rounded corner of a meridian. */
+  struct RoundedCorner
+  {
+    /** The parameter in the middle of the corner. */
+    double s;
+    /** The least radius of curvature, positive where the curve turns to the
+     * left, away from the outward normal. Unit: length. */
+    double radius;
+  };
+
+
   /**
    * A plane curve that generates a surface of revolution, given in the
    * half-plane (radius r, axial coordinate y) as a function of a parameter s.
@@ -29,16 +40,6 @@ namespace Biface
       dealii::Point<2>     position;
       dealii::Tensor<1, 2> first_derivative;
       dealii::Tensor<1, 2> second_derivative;
-    };
-
-    /** A rounded corner. */
-    struct Corner
-    {
-      /** The parameter in the middle of the corner. */
-      double s;
-      /** The least radius of curvature, positive where the curve turns to the
-       * left, away from the outward normal. Unit: length. */
-      double radius;
     };
 
     /** The curve at the parameter @p s. */
@@ -60,7 +61,7 @@ namespace Biface
     coordinate_unit() const = 0;
 
     /** The rounded corners, which may be shorter than the cells of a mesh. */
-    virtual std::vector<Corner>
+    virtual std::vector<RoundedCorner>
     get_corners() const
     {
       return {};

@@ -11,11 +11,13 @@
 #include <utility>
 #include <vector>
 
-#include <biface/surface/meridian.h>
 #include <biface/surface/surface_point.h>
 
 namespace Biface
 {
+  struct RoundedCorner;
+
+
   /**
    * The reference surface of a shell: a chart from curvature-line coordinates
    * @f$(\alpha_1,\alpha_2)@f$ to space that also provides its frame, Lamé
@@ -94,11 +96,8 @@ namespace Biface
 
     /** The rounded corners along the first coordinate; none for most
      * surfaces. */
-    virtual std::vector<Meridian::Corner>
-    get_corners() const
-    {
-      return {};
-    }
+    virtual std::vector<RoundedCorner>
+    get_corners() const;
 
     /** The angle of the cords from the circumference at the crown, in degrees,
      * of a surface that is in equilibrium with their tension; none for other

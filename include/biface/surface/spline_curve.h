@@ -67,7 +67,7 @@ namespace Biface
     double
     coordinate_unit() const override;
 
-    std::vector<Corner>
+    std::vector<RoundedCorner>
     get_corners() const override
     {
       return corners;
@@ -126,8 +126,8 @@ namespace Biface
     /** Between each part and the next one. */
     std::vector<Rounding> roundings;
     /** What the roundings make of each kink. */
-    std::vector<Corner>      corners;
-    std::vector<std::string> remarks;
+    std::vector<RoundedCorner> corners;
+    std::vector<std::string>   remarks;
   };
 
 } // namespace Biface

@@ -51,7 +51,7 @@ namespace Biface
     double
     coordinate_unit(const unsigned int a) const override;
 
-    std::vector<Meridian::Corner>
+    std::vector<RoundedCorner>
     get_corners() const override
     {
       return meridian->get_corners();

@@ -24,6 +24,7 @@
 #include <biface/model/mesh/supports.h>
 #include <biface/surface/greatest_deviation.h>
 #include <biface/surface/imperfection.h>
+#include <biface/surface/meridian.h>
 #include <biface/surface/reference_surface.h>
 
 #include <boost/signals2/connection.hpp>
@@ -209,7 +210,7 @@ namespace Biface
       const ChartGrid                                       &grid,
       const std::vector<std::array<std::vector<double>, 2>> &face_heights)
     {
-      for (const Meridian::Corner &corner : surface.get_corners())
+      for (const RoundedCorner &corner : surface.get_corners())
         for (unsigned int i = 0; i + 1 < grid.lines[0].size(); ++i)
           {
             const double below = grid.lines[0][i], above = grid.lines[0][i + 1];
