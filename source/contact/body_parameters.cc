@@ -418,6 +418,8 @@ namespace Biface
       throw InputError(
         section + "Formula", formula, "it needs 'Shape = formula'");
 
+    // a round bar is the same from all directions across its axis, so that
+    // 'Direction' may be any for it
     const BodyShape::TravelLine line{d, point},
       across{across_axis(d, a), point};
     std::shared_ptr<const BodyShape> made;
@@ -464,6 +466,8 @@ namespace Biface
               throw InputError(section + "Half angle",
                                number_to_string(angle),
                                "it must be below 90");
+            // the section goes on below the axis as a mirror image, so that the
+            // center of the arc that rounds the tip is on the axis
             const double slope = std::tan(angle * numbers::PI / 180);
             // with room for the radius
             const double length =

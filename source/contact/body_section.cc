@@ -33,6 +33,8 @@ namespace Biface
   SectionPoint
   Disk::evaluate(const Point<2> &x) const
   {
+    // with a negative radius the distance from the center is negative, too: the
+    // inside of the circle is outside of the body
     const Tensor<1, 2> arm   = x - center;
     const double       rho   = std::copysign(arm.norm(), radius);
     const Tensor<1, 2> along = (rho != 0 ? arm / rho : Tensor<1, 2>({1., 0.}));
@@ -96,6 +98,8 @@ namespace Biface
       }
 
     for (unsigned int i = 0; i < n; ++i)
+      // where lines cross, the right side of one is the left side of the other,
+      // and there is no inside
       for (unsigned int j = i + 2; j < n; ++j)
         {
           if (closed && i == 0 && j == n - 1)
@@ -135,10 +139,13 @@ namespace Biface
                            text(i + 1),
                            "the polygon must not turn back at " +
                              number(i + 1));
+        // an arc touches both lines: it takes r tan(turn/2) off each of them
         const double cut =
           corner.radius * std::tan(std::atan2(std::abs(sine), cosine) / 2);
         lines[i].end -= cut;
         lines[next].begin += cut;
+        // the body is to the right of the polygon, so that a turn to the right
+        // is convex
         const bool convex = sine < 0;
         arcs.push_back({corner.point - cut * a -
                           (convex ? 1 : -1) * corner.radius * left_of(a),
@@ -190,6 +197,8 @@ namespace Biface
         if (cross(arc.first, arm) > overlap * rho ||
             cross(arm, arc.last) > overlap * rho)
           continue;
+        // the center of an arc has no normal from it; the ends of the lines
+        // beside the arc are as close
         if (rho == 0 && arc.radius > 0)
           continue;
         const Tensor<1, 2> middle = arc.first + arc.last;

@@ -124,6 +124,8 @@ namespace Biface
   RigidDrum::evaluate(const Point<3> &x) const
   {
     BodyPoint result = section.evaluate(x - (axis * (x - point)) * axis);
+    // the section is a sphere, which is curved in both directions, a drum only
+    // across its axis
     SymmetricTensor<2, 3> &G = result.normal_gradient;
     G -= (axis * (G * axis)) * symmetrize(outer_product(axis, axis));
     return result;
@@ -133,6 +135,7 @@ namespace Biface
   double
   RigidDrum::travel_to(const Point<3> &x) const
   {
+    // the section sees only the part of the travel across the axis
     return section.travel_to(x - (axis * (x - point)) * axis) /
            (section.direction * direction);
   }

@@ -51,6 +51,8 @@ namespace Biface
 
       const Tensor<2, 3> spin = cross_product_matrix(ground.spin);
       const double       turn = angle * ground.spin.norm();
+      // the time between the nodes is angle/|Omega|: times |Omega|, the way at
+      // a constant velocity does not depend on Omega
       if (turn == 0 || turn > largest_turn * angular_speed)
         return {angle * ground.at(x), angle * spin, {}};
 
@@ -64,6 +66,7 @@ namespace Biface
       const double       psi      = turn / angular_speed;
       const Tensor<2, 3> axis     = spin / ground.spin.norm();
       const Tensor<2, 3> identity = Tensor<2, 3>(unit_symmetric_tensor<3>());
+      // Rodrigues' formula, with 1 - cos(psi) = 2 sin^2(psi/2)
       const Tensor<2, 3> rotation =
         identity + std::sin(psi) * axis +
         2 * std::pow(std::sin(psi / 2), 2) * axis * axis;
@@ -99,10 +102,14 @@ namespace Biface
                   const double pressure,
                   const double stiffness)
     {
+      // the node before is inside the ground, though not in contact in this
+      // iteration: the whole segment touches
       if (!(before > 0))
         return {};
       if (!(pressure > 0))
         return {0, 0, 0};
+      // c_j/(c_j - c_{j-1}) of section 10 of doc/theory.md, where the clearance
+      // at the end of the segment is -pressure/stiffness
       const double all = pressure + stiffness * before;
       return {pressure / all,
               -stiffness * pressure / (all * all),
@@ -138,6 +145,8 @@ namespace Biface
     std::vector<Bristle> result(line.size());
     for (unsigned int j = 0; j < line.size(); ++j)
       {
+        // a node that does not touch has a bristle without deflection, with
+        // which that of the next node begins
         result[j].first = j;
         result[j].per_position.resize(1);
         if (j > 0 && line[j].touches)
@@ -182,6 +191,8 @@ namespace Biface
       speed * bristle_before.extrapolation +
       (exact - pressure) * theta.per_pressure * along_motion;
 
+    // a deflection depends on all stations that the particle has passed in
+    // contact; the list grows by one along the footprint
     bristle.first        = bristle_before.first;
     bristle.per_position = bristle_before.per_position;
     for (auto &by_station : bristle.per_position)
@@ -192,6 +203,8 @@ namespace Biface
     auto &by_itself = bristle.per_position.back();
     for (unsigned int i = 0; i < 2; ++i)
       {
+        // a clearance changes by -n times the motion: theta depends on that of
+        // the station before and on the pressure at this one
         const Tensor<1, 3> &t = at.tangents[i];
         by_before[i] -=
           theta.value * (speed * t + t * ground.per_position) +
@@ -210,6 +223,8 @@ namespace Biface
     const double sign = rolling.angular_velocity < 0 ? -1 : 1;
     per_speed += speed * sign * bristle_before.per_angular_velocity;
 
+    // the projection of section 10 of doc/theory.md: Coulomb's limit as a
+    // length of the deflection, and the factor speed on both sides
     const FrictionLaw::Limit limit  = law.limit(pressure);
     const double             radius = limit.value / law.tangential_stiffness();
     const double             norm   = trial.norm();
@@ -231,6 +246,8 @@ namespace Biface
       }
     else
       {
+        // in slip the length is that of the limit, so that only changes across
+        // the trial deflection turn it; its factor speed cancels
         const Tensor<1, 2> direction = trial / norm;
         const auto         project   = [&](const Tensor<1, 2> &v) {
           return radius / norm * (v - (direction * v) * direction);
@@ -251,6 +268,7 @@ namespace Biface
                   by_station[i][k] = column[i];
               }
           }
+        // the limit follows the pressure of the clearance at this station
         const double per_motion = limit.per_pressure /
                                   law.tangential_stiffness() *
                                   condition.penalty_stiffness();

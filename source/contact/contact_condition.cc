@@ -18,6 +18,8 @@ namespace Biface
     const double same  = (kind == MortarMatrix::consistent ? 1. / 3 : 1. / 2);
     const double other = (kind == MortarMatrix::consistent ? 1. / 6 : 0.);
 
+    // the lower bit of a vertex is its place along alpha_1, the other one that
+    // along alpha_2: the bilinear matrix is a product of both
     std::array<std::array<double, 4>, 4> M;
     for (unsigned int r = 0; r < 4; ++r)
       for (unsigned int s = 0; s < 4; ++s)

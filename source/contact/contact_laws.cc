@@ -28,6 +28,9 @@ namespace Biface
             return std::make_shared<const FrictionBySlipVelocity>(friction,
                                                                   condition);
           case FrictionKind::by_bristles:
+            // the tractions are those of BristleLaw, of whole lines at once;
+            // nodes only keep the stick points for a stage that stands after
+            // this one
             return std::make_shared<const FrictionWithoutHistory>(friction);
         }
       return std::make_shared<const TangentialLaw>();

@@ -42,6 +42,8 @@ namespace Biface
   {
     constexpr double finite = 10, farthest = 1000, growth = 1.25;
 
+    // rays from the origin of the formula, in steps that grow with the distance
+    // since the extent of the body is not known
     std::vector<Point<3>> found;
     for (const Tensor<1, 3> &direction : directions)
       {
@@ -49,6 +51,8 @@ namespace Biface
         double   before = formula({0., 0., 0.});
         for (double r = size / 10; r < farthest * size; r *= growth)
           {
+            // close to the origin a formula without a value is refused; farther
+            // away the ray ends there
             const Point<3> to(r * direction);
             const double   after =
               (r < finite * size ? formula({to[0], to[1], to[2]}) : value(to));
@@ -74,6 +78,8 @@ namespace Biface
     bool is_regular = false, is_smooth = false;
     for (const Point<3> &x : found)
       {
+        // the unit of a formula is arbitrary: whether its gradient vanishes is
+        // asked relative to its values around
         const Tensor<1, 3> g       = gradient(x, step);
         double             largest = 0;
         for (const Tensor<1, 3> &direction : directions)
@@ -106,6 +112,7 @@ namespace Biface
                               const double        value_at_x,
                               const double        step) const
   {
+    // central differences of sixth order, from three points on each side
     constexpr std::array<double, 3> first{{45. / 60, -9. / 60, 1. / 60}},
       second{{270. / 180, -27. / 180, 2. / 180}};
     std::array<double, 2> result{{0, -490. / 180 * value_at_x}};
@@ -153,6 +160,8 @@ namespace Biface
     for (unsigned int i = 0; i < 3; ++i)
       for (unsigned int j = 0; j < i; ++j)
         {
+          // the second derivative along the diagonal is the mean of those along
+          // both axes plus the mixed one
           const Tensor<1, 3> diagonal =
             (Point<3>::unit_vector(i) + Point<3>::unit_vector(j)) /
             std::sqrt(2.);
@@ -195,6 +204,8 @@ namespace Biface
             at_b = value_there;
           }
       }
+    // at a pole the sign changes, too, but the values grow as the interval
+    // shrinks around it
     const bool at_pole = std::min(std::abs(at_a), std::abs(at_b)) > limit;
     if (at_pole)
       return {};
@@ -208,6 +219,8 @@ namespace Biface
     double at_x = value(x);
     for (unsigned int iteration = 0; iteration < 50; ++iteration)
       {
+        // differences of low order will do: this is only a start for Newton's
+        // method
         Tensor<1, 3> g;
         for (unsigned int i = 0; i < 3; ++i)
           {
@@ -262,6 +275,8 @@ namespace Biface
         }
       return true;
     };
+    // so close to the surface no other part of it is expected in between, since
+    // no detail is smaller than the size
     if (x.distance(closest) < size / 10)
       return;
     // the surface may have been passed on the way

@@ -95,6 +95,8 @@ namespace Biface
         result.per_pressure = part * coefficient.value(pressure, speed);
         return result;
       }
+    // relative, since the unit of the pressure is not known, and so that the
+    // formula sees no pressure below 0
     const double step = small * pressure;
     result.per_pressure =
       (value(pressure + step, speed) - value(pressure - step, speed)) /
@@ -117,8 +119,11 @@ namespace Biface
   {
     Slip         result;
     const double norm = trial.norm();
+    // without a trial traction there is no direction of slip
     if (norm == 0)
       return result;
+    // a longer trial traction is cut to the same one: only what is across it
+    // counts in the derivative
     const Tensor<1, 3> direction = trial / norm;
     const Limit        limit     = this->limit(pressure);
     result.traction              = limit.value * direction;

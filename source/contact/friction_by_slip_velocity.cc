@@ -15,6 +15,8 @@ namespace Biface
     const bool slips = SlipVelocityLaw(law).slips(at.slip_velocity());
     state.statuses[at.point] =
       (slips ? ContactStatus::slip : ContactStatus::stick);
+    // the traction is smooth in the slip velocity: the status is a result, and
+    // its change asks for no further iteration
     return false;
   }
 
@@ -34,6 +36,8 @@ namespace Biface
                                     const PointInContact &at,
                                     LinearizedTraction   &result) const
   {
+    // only nodes at the rim of the ghost cells lack a neighbor around the axle;
+    // no own cell contains them
     if (!at.particle)
       return;
     const Rolling      &rolling  = at.particle->rolling;
@@ -60,12 +64,17 @@ namespace Biface
         for (unsigned int i = 0; i < 3; ++i)
           ground_gradient[i][j] = column[i];
       }
+    // the limit is that of the multiplier of the iterate, with its linear
+    // change to the pressure of the clearance
     result.value += friction.value + (lambda - exact) * friction.per_pressure;
+    // minus the derivative: the tangent plane turns with the position, the
+    // ground has another velocity there, and the pressure follows the clearance
     result.stiffness +=
       friction.per_slip *
         ((n * v) * gradient + outer_product(n, gradient * v)) +
       result.per_velocity * ground_gradient -
       outer_product(friction.per_pressure, condition.penalty_stiffness() * n);
+    // the slope is a difference of the positions of both neighbors
     result.stiffness_of_neighbors[1] = at.particle->per_neighbor *
                                        rolling.angular_velocity *
                                        result.per_velocity;

@@ -19,6 +19,8 @@ namespace Biface
     check_somewhere_finite(const Formula &coefficient)
     {
       std::optional<InputError> first;
+      // powers of ten, whatever the units; a shell that stands has the slip
+      // velocity 0
       for (int p = -12; p <= 12; ++p)
         for (int s = -7; s <= 7; ++s)
           try

@@ -9,6 +9,7 @@ namespace Biface
   void
   FrictionWithHistory::start_stage(ContactState &state) const
   {
+    // the glue of an earlier stage ends in any case
     TangentialLaw::start_stage(state);
     if (glued)
       stick_all(state);
@@ -19,6 +20,7 @@ namespace Biface
   FrictionWithHistory::stick_all(ContactState &state) const
   {
     for (ContactStatus &status : state.statuses)
+      // what does not touch has no place on the body to be glued to
       if (status != ContactStatus::none)
         status = ContactStatus::glued;
   }
@@ -52,6 +54,8 @@ namespace Biface
       trial * (last[1] * tangents[0] + last[2] * tangents[1]) < 0;
     const bool beyond = law.should_slip(trial, -last[0]);
     status = (beyond && !reversed ? ContactStatus::slip : ContactStatus::stick);
+    // a node beyond its limit that sticks all the same asks for another
+    // iteration, whose traction tells where it slips
     return beyond && reversed;
   }
 
@@ -95,6 +99,7 @@ namespace Biface
                                    condition.penalty_stiffness() * n);
       }
     traction.value += t;
+    // stiffnesses are minus the derivatives of tractions
     traction.stiffness -= derivative;
   }
 
@@ -104,6 +109,8 @@ namespace Biface
                                    const PointInContact &at) const
   {
     if (!acts_on(state, at.point))
+      // a node that has entered slid freely in this step: a stick point where
+      // it was before would tear it back by a finite distance
       TangentialLaw::commit_step(state, at);
     else if (state.statuses[at.point] == ContactStatus::slip)
       // without slip there is no direction for the traction of a node that
@@ -122,6 +129,8 @@ namespace Biface
     if (after.statuses[node] != ContactStatus::slip ||
         before.statuses[node] == ContactStatus::none)
       return {};
+    // both on the body at its place after the step, so that its own motion is
+    // no slip
     return body.present(after.stick_points[node]) -
            body.present(before.stick_points[node]);
   }

@@ -19,6 +19,8 @@ namespace Biface
     {
       const unsigned int  n = x.size();
       std::vector<double> slopes(n), factors(n);
+      // the curvature is continuous at the inner knots: a tridiagonal system
+      // for the slopes, eliminated upward and solved downward
       for (unsigned int i = 1; i + 1 < n; ++i)
         {
           const double before = 1 / (x[i] - x[i - 1]),
@@ -74,6 +76,8 @@ namespace Biface
     for (unsigned int d = 0; d < 2; ++d)
       for (unsigned int i = 1; i < grid[d].size(); ++i)
         smallest_cell = std::min(smallest_cell, grid[d][i] - grid[d][i - 1]);
+    // the cells around the grid, in which the height of its edge goes on, reach
+    // far beyond any shell
     const double far = 1e6 * (grid[0].back() - grid[0].front() +
                               grid[1].back() - grid[1].front());
     for (unsigned int d = 0; d < 2; ++d)
@@ -149,6 +153,8 @@ namespace Biface
                          const double       coordinate) const
   {
     const auto &x = rows[direction];
+    // without the outermost lines, so that no coordinate lies outside of all
+    // cells
     return std::upper_bound(x.begin() + 1, x.end() - 1, coordinate) -
            x.begin() - 1;
   }
@@ -163,6 +169,8 @@ namespace Biface
     const double begin  = rows[direction][cell],
                  length = rows[direction][cell + 1] - begin;
     const double t      = std::clamp((coordinate - begin) / length, 0., 1.);
+    // Hermite's polynomials: slopes at the knots count by the length of the
+    // cell, and each derivative divides by it
     switch (derivative)
       {
         case 0:
@@ -220,6 +228,8 @@ namespace Biface
     const Point<3> y = coordinates(x);
     const Point<2> at(y[0], y[1]);
     Derivatives    result;
+    // of the function y_3 - height(y_1, y_2), which is no distance: its
+    // gradient is longer than 1 where the surface slopes
     result.gradient =
       axes[2] - height(at, {{1, 0}}) * axes[0] - height(at, {{0, 1}}) * axes[1];
     result.hessian =
@@ -252,6 +262,7 @@ namespace Biface
                           double            &distance) const
   {
     const Box &box = boxes[number];
+    // nothing in the box can be closer than what is known
     if (distance_square(box, x) >= distance * distance)
       return;
     if (box.parts[1] == 0)
@@ -266,6 +277,7 @@ namespace Biface
         distance = x.distance(coordinates(found));
         return;
       }
+    // the closer half first: what it finds mostly excludes the other one
     auto parts = box.parts;
     if (distance_square(boxes[parts[1]], x) <
         distance_square(boxes[parts[0]], x))

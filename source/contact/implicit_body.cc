@@ -25,6 +25,8 @@ namespace Biface
       {
         if (!(slope > 0))
           return;
+        // S of section 6 of doc/theory.md: the Hessian without its parts along
+        // the normal, over the length of the gradient
         const Tensor<1, 3> of_slope = at.hessian * normal;
         curvature =
           (at.hessian - 2 * symmetrize(outer_product(normal, of_slope)) +
@@ -54,6 +56,8 @@ namespace Biface
       const double sum = trace(hessian) - 1, product = determinant(hessian);
       const double lowest =
         (sum - std::sqrt(std::max(0., sum * sum - 4 * product))) / 2;
+      // shifted until it is positive definite: else the step would go to a
+      // maximum of the distance, or very far
       if (lowest < least)
         hessian +=
           (least - 2 * std::min(lowest, 0.)) * unit_symmetric_tensor<3>();
@@ -69,6 +73,7 @@ namespace Biface
     const bool     is_inside = (surface->value(y) < 0);
     double         distance  = std::numeric_limits<double>::infinity();
     Point<3>       closest;
+    // the distance may have several local minima, one for each start
     surface->search_closest(y, [&](const Point<3> &start) -> const Point<3> & {
       const Point<3> found = closest_point(y, start);
       if (found.distance(y) < distance)
@@ -86,6 +91,8 @@ namespace Biface
     if (at.normal * (y - closest) * sign <
         0.9 * distance - 1e-8 * surface->length())
       gradient = sign / distance * (y - closest);
+    // close to a center of curvature the derivative of the normal is unbounded;
+    // that at the surface keeps the tangent finite
     const SymmetricTensor<2, 3> stretch = at.stretch(sign * distance);
     return {sign * distance,
             -gradient,
@@ -111,6 +118,8 @@ namespace Biface
         // the next error is its square
         const bool is_last =
           (step.norm() <= 1e-7 * (surface->length() + way.norm()));
+        // a step that leads away from the point is halved; whether the last one
+        // does is a matter of round-off
         double   part = 1;
         Point<3> next;
         for (; part > 1e-3; part /= 2)
@@ -152,6 +161,7 @@ namespace Biface
           return true;
         y += step * n;
         const double next = surface->value(y);
+        // over a shorter way the slope would be that of round-off
         if (std::abs(step) > small)
           slope = (next - value) / step;
         value = next;

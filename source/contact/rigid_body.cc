@@ -131,6 +131,7 @@ namespace Biface
           Physics::Transformations::Rotations::rotation_matrix_3d(
             Point<3>(about), factor * motion.turn);
         slide += factor * motion.translation;
+        // a turn in the list carries along the axes of those before it
         for (Tensor<1, 3> &spin : spins)
           spin = turned * spin;
         spins.push_back(motion.turn * about);
@@ -150,6 +151,7 @@ namespace Biface
     const double                                     travel,
     const std::function<double(const unsigned int)> &rate_of) const
   {
+    // the ground travels against its direction, toward the shell
     Tensor<1, 3> result = (travels ? -travel * direction() : Tensor<1, 3>());
     for (const Screw &screw : screws)
       result +=
@@ -171,6 +173,8 @@ namespace Biface
     for (unsigned int i = 0; i < screws.size(); ++i)
       for (unsigned int j = 0; j < screws.size(); ++j)
         {
+          // section 6 of doc/theory.md: at a fixed point the velocity changes
+          // as the axis moves, and as later motions in the list turn it
           const Screw &screw = screws[i], &other = screws[j];
           const double rates = screw.rate(travel, rate_of) *
                                other.rate(other_travel, other_rate_of);
@@ -232,6 +236,7 @@ namespace Biface
   RigidBody::after(Displacement further) const
   {
     RigidBody result = *this;
+    // the rates of the motions belong to the body and turn along with it
     for (Screw &screw : result.screws)
       {
         screw.translation = further.rotation * screw.translation;
@@ -275,6 +280,8 @@ namespace Biface
   Point<3>
   RigidBody::present(const Point<3> &at_rest) const
   {
+    // the travel first, then slide and turn, as x(X) in section 6 of
+    // doc/theory.md
     const Point<3> x = at_rest - travel * shape->direction;
     if (!displacement)
       return x;
@@ -286,6 +293,8 @@ namespace Biface
   BodyPoint
   RigidBody::evaluate(const Point<3> &x) const
   {
+    // shapes know the body at rest only; a tread of springs touches where the
+    // carcass is at the height of the tread
     BodyPoint at = shape->evaluate(at_rest(x));
     at.clearance -= distance;
     if (displacement)
@@ -302,6 +311,8 @@ namespace Biface
   std::array<Tensor<1, 3>, 2>
   RigidBody::tangents_of_direction() const
   {
+    // the axis farthest from the direction has the longest part across it, by
+    // which can safely be divided
     const Tensor<1, 3> &d        = shape->direction;
     unsigned int        farthest = 0;
     for (unsigned int i = 1; i < 3; ++i)
@@ -347,6 +358,8 @@ namespace Biface
   std::array<Tensor<2, 3>, 2>
   RigidBody::tangent_derivatives(const Tensor<1, 3> &normal) const
   {
+    // the derivative of the rotated tangent t - n.t/(1 + n.s) (n + s) by the
+    // normal n, with the start s
     const auto [start, tangents]    = reference_of_tangents(normal);
     const double                sum = 1 + normal * start;
     std::array<Tensor<2, 3>, 2> result;

@@ -37,6 +37,8 @@ namespace Biface
     const Tensor<1, 3> down = ground.evaluate(apex).normal;
     if (const auto drum = ground.cylinder())
       {
+        // -V/R a x (x - x_a) of section 10 of doc/theory.md at the apex, where
+        // x - x_a = -R down
         result.velocity = speed * cross_product_3d(drum->axis, down);
         result.spin     = -speed / drum->radius * drum->axis;
         result.point    = apex;
@@ -44,6 +46,7 @@ namespace Biface
     else
       {
         const WheelAxes axes(down);
+        // in the frame of the axle the ground moves backward, at the slip angle
         result.velocity = -speed * (std::cos(slip_angle) * axes.forward +
                                     std::sin(slip_angle) * axes.left);
       }
@@ -67,6 +70,7 @@ namespace Biface
     const double speed = slip.norm();
     const double root  = std::hypot(speed, law.critical_velocity());
     Traction     result;
+    // at rest without a critical velocity there is no direction of slip
     if (root == 0)
       return result;
     const Tensor<1, 3>       direction = slip / root;
@@ -75,6 +79,7 @@ namespace Biface
     result.per_slip                    = -limit.value / root *
                       (Tensor<2, 3>(unit_symmetric_tensor<3>()) -
                        outer_product(direction, direction));
+    // the coefficient changes with the length of the slip velocity alone
     if (speed > 0)
       result.per_slip -=
         limit.per_speed * outer_product(direction, slip / speed);

@@ -76,6 +76,8 @@ namespace Biface
   double
   TreadParameters::normal_stiffness() const
   {
+    // 4/3 E in compression over E/3 in shear, since the rubber hardly spreads
+    // along the ribs
     return 4 * tangential_stiffness();
   }
 
