@@ -132,6 +132,8 @@ namespace Biface
   double
   CordAndRubber::cord_modulus() const
   {
+    // the cords carry the force of the curve by its slope at the stretch 1,
+    // over their own area
     return curve.name.empty() ? E_cord
                               : ForceCurve(curve).initial_slope() / cord_area();
   }
@@ -151,6 +153,7 @@ namespace Biface
     const double G_c = E_c / (2 * (1 + nu_cord));
     const double G_r = E_rubber / (2 * (1 + nu_rubber));
 
+    // cords and rubber have the same strain along the cords
     const double E_L   = v * E_c + (1 - v) * E_rubber;
     double       nu_LT = 0, E_T = 0, G_LT = 0;
     if (homogenization == Homogenization::halpin_tsai)
@@ -167,6 +170,7 @@ namespace Biface
       }
     else
       {
+        // inextensible cords in incompressible rubber
         nu_LT = 0.5;
         E_T   = 4 * E_rubber / (3 * (1 - v));
         G_LT  = E_rubber / (3 * (1 - v));

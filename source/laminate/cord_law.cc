@@ -20,6 +20,8 @@ namespace Biface
   CordLaw::Response
   SlackCordLaw::response(const double strain) const
   {
+    // section 4 of doc/theory.md: the stress that slack cords lose, beyond that
+    // of the initial state, so that it vanishes with the strain
     const double e = std::min(0., strain - limit), e_0 = std::min(0., -limit);
     return {-loss * ((e * e - e_0 * e_0) / 2 - e_0 * strain),
             -loss * (e - e_0),
@@ -64,6 +66,7 @@ namespace Biface
   CordLaw::Response
   StretchedCordLaw::response(const double strain) const
   {
+    // the square of a stretch is positive; NaN makes the step fail
     if (!(strain > -0.5))
       {
         constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -74,6 +77,8 @@ namespace Biface
     double W  = modulus * e * e / 2 - (modulus - compression) * lost * lost / 2;
     double P  = modulus * e - (modulus - compression) * lost;
     double dP = lost < 0 ? compression : modulus;
+    // what the curve deviates from its tangent at the stretch 1, which is a
+    // part of the modulus
     if (curve && e > 0)
       {
         const ForceCurve::Value of_cord = curve->at(stretch);
@@ -82,6 +87,8 @@ namespace Biface
         P += n_per_area * (of_cord.force - slope * e);
         dP += n_per_area * (of_cord.slope - slope);
       }
+    // the second Piola-Kirchhoff stress P/lambda and its derivative by the
+    // strain, of which lambda has the derivative 1/lambda
     return {W, P / stretch, (dP - P / stretch) / (stretch * stretch)};
   }
 

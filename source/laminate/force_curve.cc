@@ -73,6 +73,8 @@ namespace Biface
     const double last = stretches.back();
     if (!(stretch < last))
       {
+        // beyond the last row the curve goes on as a line, its energy as a
+        // parabola
         const double slope = cubic->prime(last), force = (*cubic)(last),
                      by = stretch - last;
         return {energies.back() + by * (force + by * slope / 2),
@@ -82,6 +84,7 @@ namespace Biface
     const unsigned int i =
       std::upper_bound(stretches.begin(), stretches.end() - 1, stretch) -
       stretches.begin() - 1;
+    // Simpson's rule is exact for the cubic between two rows
     const double force = (*cubic)(stretch);
     return {energies[i] +
               (stretch - stretches[i]) / 6 *

@@ -102,9 +102,14 @@ namespace Biface
                       }
               }
           }
+        // rows of membrane and of shear forces differ by a length, columns by
+        // the moduli of plies, which may be of different magnitudes
         const auto scales = equilibrate(matrix);
         matrix.gauss_jordan();
 
+        // membrane forces have no gradient, so that the first two columns of
+        // the inverse are not needed; each other one belongs to a unit shear
+        // force of a layer, along or across
         for (unsigned int row = 2; row < n; ++row)
           {
             std::vector<Tensor<1, 3>> of_faces(n_layers + 1);
@@ -155,6 +160,8 @@ namespace Biface
                   of_faces[p] += along * gradients[c][2 * m][k + p] +
                                  across * gradients[c][2 * m + 1][k + p];
               }
+            // minus the gradients of the stresses, summed from the inner face
+            // to the height: there are no tractions on the face itself
             for (unsigned int i = 0; i <= last; ++i)
               {
                 const double end = (k == layer && i == ply ? z : plies[i].end);

@@ -116,6 +116,8 @@ namespace Biface
   double
   Laminate::thickness_stiffness() const
   {
+    // springs in series, as the plies of a wall that is free to spread carry
+    // the same thickness stress
     double compliance = 0;
     for (const Ply &ply : plies)
       compliance += ply.thickness * invert(ply.laws.stiffness)[2][2][2][2];
@@ -197,6 +199,8 @@ namespace Biface
             const double b_ab33 = b[i[0]][i[1]][2][2];
             for (unsigned int p = 0; p < 2; ++p)
               {
+                // 'asymmetric' has the thickness resultant of the full law, but
+                // tangential ones of plane stress: a row without its column
                 f[ab][p] += b_ab33 / b_3333 * w.first[ab][p];
                 if (law != ThicknessLaw::symmetric)
                   D[Resultants::thickness][tangential(ab, p)] +=
@@ -263,6 +267,8 @@ namespace Biface
   Laminate::point(const unsigned int ply, const double z) const
   {
     PlyPoints::Point point;
+    // all strains at a height are linear in those of the faces: their
+    // coefficients are what unit strains of the faces cause
     point.area = functions.area(z);
     for (unsigned int p = 0; p < 2; ++p)
       {
@@ -284,6 +290,8 @@ namespace Biface
   void
   Laminate::set_points()
   {
+    // rubber and relaxation have no constant stiffness: their laws are
+    // evaluated at points over the thickness
     std::vector<PlyPoints::Point> of_plies;
     // the transverse shear stiffness that the points lack, see TransverseShear
     Resultants::Matrix remainder;
@@ -470,6 +478,8 @@ namespace Biface
   Resultants::Matrix
   Laminate::stiffness_of_slack_cords() const
   {
+    // with the least that cords of any law can add, since what is derived from
+    // it must be positive for every pattern of slack cords
     Resultants::Matrix matrix = D;
     for (const CordPoint &cord : cord_points())
       for (unsigned int s = 0; s < Resultants::n_tangential; ++s)
@@ -562,6 +572,8 @@ namespace Biface
       strain[a][2] = shear[a] / 2;
     if (law == ThicknessLaw::symmetric)
       {
+        // the force S_33 mu/mu-bar = H_33/h is the same at all heights; each
+        // ply has the thickness strain that gives it
         const SymmetricTensor<4, 3> &b = rotated[ply];
         const double                 stress =
           D[Resultants::thickness] * E / (thickness() * functions.area(z));
@@ -610,6 +622,8 @@ namespace Biface
     const Ply &p = plies[ply];
     if (p.laws.cords)
       {
+        // cords add a stress along their own direction to that of the ply, the
+        // work of which is that of the strain along them
         const auto   along = cord_direction(p.angle);
         const auto   here  = relaxed_cords(strains, ply, z);
         const double added =

@@ -331,6 +331,8 @@ namespace Biface
       const double sine     = std::abs(std::cos(angle(surface.crown)));
       if (!surface.radius || sine < 1e-6)
         return [at_crown](const double) { return at_crown; };
+      // the distance t is proportional to r sin(beta), section 4 of
+      // doc/theory.md; the cosine of the angle from the meridian is sin(beta)
       const double factor = at_crown / (surface.radius(surface.crown) * sine);
       return [factor, angle, radius = surface.radius](const double alpha_1) {
         return factor * radius(alpha_1) * std::abs(std::cos(angle(alpha_1)));
@@ -360,6 +362,8 @@ namespace Biface
                   thickness = ply.thickness](
                    const double                 alpha_1,
                    const SymmetricTensor<2, 3> &initial_stress) {
+        // the volume fraction of the section normal to the cords; cords that
+        // touch leave no rubber between them
         const CordAndRubber &cords = material.cord_and_rubber;
         const double         t = thickness(alpha_1), P = pitch(alpha_1);
         if (!(P > cords.cord_diameter && t > cords.cord_diameter))
@@ -475,6 +479,8 @@ namespace Biface
     double
     height(const ThicknessPosition &position, const std::vector<Ply> &plies)
     {
+      // plies are counted by their numbers in the whole layup, of which some
+      // may not be present here
       double thickness = 0, below = 0;
       for (const Ply &ply : plies)
         {
@@ -563,6 +569,8 @@ namespace Biface
     for (unsigned int k = 0; k < n_layers(); ++k)
       for (Ply ply : present)
         {
+          // sides are counted in plies, also in fractions of them: this is the
+          // part of the ply that lies in the layer
           ply.begin = std::max(0., sides_of_layers[k] - ply.number);
           ply.end   = std::min(1., sides_of_layers[k + 1] - ply.number);
           if (!(ply.begin < ply.end))
@@ -578,6 +586,8 @@ namespace Biface
     double      h = 0;
     if (n_layers() > 1)
       {
+        // the reference surface and the distribution of shear are those of all
+        // plies together
         const Laminate undivided(
           std::move(all), law, reference_height, shear_law, at);
         h          = undivided.thickness();
@@ -593,6 +603,7 @@ namespace Biface
             continue;
           }
         const unsigned int n_plies = part.size();
+        // heights of a layer are counted from its own inner face
         result.emplace_back(Laminate(std::move(part),
                                      law,
                                      reference_height - wall.height_below,

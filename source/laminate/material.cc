@@ -47,6 +47,8 @@ namespace Biface
     for (const auto &modulus : moduli)
       check_positive(name + "/" + modulus.first, modulus.second);
 
+    // the part of the normal components is inverted on its own: in the axes of
+    // the material it is not coupled with shear
     SymmetricTensor<2, 3> compliance;
     compliance[0][0] = 1 / E_1;
     compliance[1][1] = 1 / E_2;
@@ -69,6 +71,8 @@ namespace Biface
                        " (23), but with its moduli they must give a positive "
                        "definite stiffness.");
 
+    // a product with strains counts the entries 12 and 21, so that the entry G
+    // gives the stress 2 G e_12
     const SymmetricTensor<2, 3> normal = invert(compliance);
     SymmetricTensor<4, 3>       b;
     for (unsigned int i = 0; i < 3; ++i)
@@ -113,6 +117,8 @@ namespace Biface
   cauchy_stress(const SymmetricTensor<2, 3> &stress,
                 const SymmetricTensor<2, 3> &strain)
   {
+    // F S F^T/J with F = U, that is, without the rotation: components in axes
+    // that turn with the material
     Tensor<2, 3> U;
     double       det = 1;
     for (const auto &[value, axis] : principal_axes(strain))

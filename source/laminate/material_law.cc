@@ -38,6 +38,8 @@ namespace Biface
   LinearLaw::Vector
   LinearLaw::strain_of_law(const Vector &strain) const
   {
+    // what the thickness strain owes to the leaning of the director is taken
+    // off, as for 'Thickness strain = normal' in section 4 of doc/theory.md
     Vector result = strain;
     if (along_normal)
       for (unsigned int a = 0; a < 2; ++a)
@@ -75,6 +77,8 @@ namespace Biface
           moduli[j][PointStrains::transverse(a)] -=
             lean * b[j][PointStrains::thickness];
       }
+    // columns before, rows from here on; and the second derivative of the
+    // strain of the law, with which S_33 changes the stiffness in shear
     const Matrix by_columns = moduli;
     for (unsigned int a = 0; a < 2; ++a)
       {
@@ -99,6 +103,7 @@ namespace Biface
   double
   LinearLaw::free_thickness_strain(const Vector &strain) const
   {
+    // linear, so that one step of Newton's method solves S_33 = 0
     return strain[PointStrains::thickness] -
            thickness_stress(strain).stress /
              b[PointStrains::thickness][PointStrains::thickness];
@@ -108,6 +113,7 @@ namespace Biface
   double
   LinearLaw::lowest_thickness_strain(const Vector &) const
   {
+    // a linear law has a stress at any strain
     return -std::numeric_limits<double>::infinity();
   }
 } // namespace Biface

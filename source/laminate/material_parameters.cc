@@ -364,6 +364,7 @@ namespace Biface
                            "it must be at most ten million times the shear "
                            "modulus, " +
                              number_to_string(shear_modulus));
+        // below, Poisson's ratio would be negative
         if (!(K > 2. / 3 * shear_modulus))
           throw InputError(section + "K",
                            number_to_string(K),
@@ -509,6 +510,7 @@ namespace Biface
   double
   MaterialParameters::onset(const double E_L, const double G_LT) const
   {
+    // fibers buckle in a matrix of rubber at about G_LT/E_L (Rosen 1965)
     if (compression_onset == MaterialParameters().compression_onset)
       return matrix == Matrix::linear ? 0 : G_LT / E_L;
     const std::string entry = "Material " + name + "/Compression onset";
@@ -534,6 +536,8 @@ namespace Biface
     {
       if (stress.norm() == 0)
         return 0;
+      // slack cords have a greater strain e under the same stress: that of taut
+      // cords plus what is lost, lost (e + onset)
       const SymmetricTensor<4, 3> compliance = invert(stiffness);
       const double                strain     = (compliance * stress)[0][0];
       const double                lost       = loss * compliance[0][0][0][0];
@@ -713,6 +717,8 @@ namespace Biface
                        "' with 'Matrix = neo-Hooke' and cords that go slack "
                        "('E_L compression') may have no initial stress "
                        "('Laminate/Initial ply stresses').");
+    // the cords carry what the rubber does not, so that E_L is the initial
+    // modulus of the ply
     result.rubber = rubber(G);
     const auto curve =
       type == Type::cord_and_rubber ? cord_and_rubber.force_curve() : nullptr;
@@ -723,6 +729,8 @@ namespace Biface
       curve,
       curve ? cord_fraction / cord_and_rubber.cord_area() : 0.);
     result.stiffness = result.rubber->initial_stiffness();
+    // for all that is linear with the initial moduli, as the distribution of
+    // transverse shear
     result.stiffness[0][0][0][0] += constants.E_1 - E_matrix;
     return result;
   }

@@ -137,6 +137,7 @@ namespace Biface
             surface   = surface,
             reference = static_cast<double>(angle_reference),
             tables    = tables](const double alpha_1) {
+      // in the order of variables()
       std::vector<double> values{alpha_1};
       if (surface.radius)
         {

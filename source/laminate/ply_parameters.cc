@@ -74,6 +74,7 @@ namespace Biface
       if (thickness.empty() || angle.empty())
         throw InputError(entry, item, ply_form);
 
+      // '+-A' stands for two plies of this thickness each
       std::vector<std::string> angles{angle};
       const std::string        signs = angle.substr(0, 2);
       if (signs == "+-" || signs == "-+")

@@ -21,6 +21,8 @@ namespace Biface
     relax(const Relaxed<PointStrains::Vector> &relaxed,
           MaterialLaw::ThicknessStress        &at)
     {
+      // the law of a point within a step is linear in the elastic stress, so
+      // that its tangent has the same factor
       at.stress =
         relaxed.factor * at.stress + relaxed.stress[PointStrains::thickness];
       at.modulus *= relaxed.factor;
@@ -38,6 +40,7 @@ namespace Biface
     void
     approach(PointStrains::Vector &strain, const double lowest)
     {
+      // halfway, so that no number of steps reaches the lowest strain itself
       double &e = strain[PointStrains::thickness];
       e         = (e + lowest) / 2;
     }
@@ -81,6 +84,8 @@ namespace Biface
   PlyPoints::Point::add_resultants(const PointStrains::Vector &S,
                                    Resultants::Vector         &H) const
   {
+    // the transpose of what strain() does, so that the work of the resultants
+    // is that of the stresses
     const double weight = thickness * area;
     for (unsigned int p = 0; p < 2; ++p)
       {
@@ -122,6 +127,8 @@ namespace Biface
   double
   PlyPoints::director_strain(const Resultants::Vector &E) const
   {
+    // E has the distance of the faces along the normal, the points the length
+    // of the director, which leans where it is sheared
     double strain = E[Resultants::thickness];
     if (along_normal)
       for (unsigned int a = 0; a < 2; ++a)
@@ -402,6 +409,8 @@ namespace Biface
             lacking -= point.thickness * e[k][PointStrains::thickness];
           }
       }
+    // first each point with its thickness stress held, then the change of the
+    // common one that makes their strains add up to that of the director
     const double by_stress = lacking / compliance;
     stresses.resize(moduli.size());
     for (unsigned int k = 0; k < moduli.size(); ++k)
@@ -423,6 +432,8 @@ namespace Biface
     for (unsigned int k = 0; k < moduli.size(); ++k)
       sum += plies.points[k % n_points].thickness *
              added[k][PointStrains::thickness] / modulus_33(k);
+    // the director is held: what some points yield others take up, under a
+    // common thickness stress
     const double by_stress = sum / compliance;
     for (unsigned int i = 0; i < resultants.size(); ++i)
       {

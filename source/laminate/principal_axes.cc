@@ -14,6 +14,8 @@ namespace Biface
   {
     constexpr unsigned int max_sweeps = 30;
 
+    // Jacobi's method: the axes remain orthogonal to round-off, also where
+    // principal values coincide, as those of an undeformed shell do
     Tensor<2, 3> A(tensor), axes;
     for (unsigned int i = 0; i < 3; ++i)
       axes[i][i] = 1;

@@ -33,6 +33,8 @@ namespace Biface
     Step         result{1, {}, {}};
     for (const Term &term : terms)
       {
+        // the recursion of section 4 of doc/theory.md, exact where the elastic
+        // stress changes evenly; expm1 keeps the digits of short steps
         const double x       = time.duration / (a * term.time);
         const double remains = std::exp(-x);
         const double grows   = term.part * (x > 0 ? -std::expm1(-x) / x : 1.);
@@ -50,6 +52,7 @@ namespace Biface
     double
     lag(const double x)
     {
+      // the series, without the difference of two numbers close to 1
       if (x < 0.01)
         return x / 2 * (1 - x / 3 * (1 - x / 4 * (1 - x / 5 * (1 - x / 6))));
       return 1 + std::expm1(-x) / x;
@@ -103,6 +106,8 @@ namespace Biface
         numbers[k * n_numbers + terms.size() * n_components + c] =
           elastic[k * n_components + c];
 
+    // a row contains the internal variables of each term, and last the elastic
+    // stress; the points form a ring around the axle
     const auto before = [n](const unsigned int k) {
       return k > 0 ? k - 1 : n - 1;
     };
@@ -114,6 +119,8 @@ namespace Biface
       {
         const Factors &factors = terms[i];
         const auto     go      = [&](const unsigned int k) {
+          // section 10 of doc/theory.md, "Stresses that relax in rolling": a
+          // sum of positive terms, without loss of digits at any speed
           const double *now = at(k), *last = at(before(k));
           for (unsigned int c = 0; c < n_components; ++c)
             v[c] = factors.remains[k] * v[c] + factors.of_point[k] * now[c] +
@@ -136,6 +143,7 @@ namespace Biface
         for (unsigned int k = 0; k < n; ++k)
           {
             go(k);
+            // the internal variable is g (S_0 - v)
             double *of_term = &numbers[k * n_numbers + i * n_components];
             for (unsigned int c = 0; c < n_components; ++c)
               of_term[c] = factors.part * (at(k)[c] - v[c]);

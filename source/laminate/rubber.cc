@@ -45,6 +45,8 @@ namespace Biface
   Rubber::free_thickness_strain(const Vector &strain) const
   {
     const Determinant det(cauchy_green(strain));
+    // of det C = 1: rubber hardly changes its volume, so that this is a good
+    // start for Newton's method
     return ((1 + det.s) / det.d - 1) / 2;
   }
 
@@ -53,6 +55,7 @@ namespace Biface
   Rubber::lowest_thickness_strain(const Vector &strain) const
   {
     const Determinant det(cauchy_green(strain));
+    // the strain at which the volume vanishes
     return det.d > 0 ? (det.s / det.d - 1) / 2 : PointStrains::none;
   }
 
@@ -154,6 +157,8 @@ namespace Biface
     const Invariants i = invariants(strain);
     if (!(i.i_3 > -1))
       return {PointStrains::none, PointStrains::none};
+    // all invariants are linear in C_33: their derivatives are constant, and
+    // the modulus is that of the energy alone
     const Vector       C = cauchy_green(strain);
     const Derivatives  W = derivatives_at(i);
     const Tensor<1, 3> g({1, C[0] + C[1], Determinant(C).d});
@@ -169,6 +174,7 @@ namespace Biface
   double
   NeoHooke::energy_of(const Invariants &i) const
   {
+    // ln J is half of the logarithm of I_3, and U = (I_3 - 1 - ln I_3)/2
     const double log = std::log1p(i.i_3);
     return mu / 2 * (i.i_1 - log) + lambda / 4 * (i.i_3 - log);
   }
@@ -220,6 +226,8 @@ namespace Biface
   {
     const double I_1 = 3 + i.i_1, I_2 = 3 + i.i_2, I_3 = 1 + i.i_3;
     const double a = 1 + power_less_one(i.i_3, 1), b = a * a;
+    // x is the first invariant without the change of volume, less 3; P and P_x
+    // are the derivatives of the polynomial
     const double x   = i.i_1 + (a - 1) * I_1;
     const double P   = c[0] + x * (2 * c[1] + 3 * x * c[2]);
     const double P_x = 2 * c[1] + 6 * x * c[2];
@@ -289,6 +297,7 @@ namespace Biface
     const PrincipalStretches at(strain);
     if (!at.valid)
       return PointStrains::none;
+    // expm1 of the logarithms keeps the digits of small strains
     double sum = K / 4 * (std::expm1(2 * at.log_J) - 2 * at.log_J);
     for (const Term &term : terms)
       for (unsigned int A = 0; A < 3; ++A)
@@ -324,6 +333,8 @@ namespace Biface
       row.fill(K * J_squared);
     for (const Term &term : terms)
       {
+        // the terms depend on log(lambda_A/J^{1/3}), whose derivatives by
+        // log(lambda_B) are 1 and 0, less a third
         std::array<double, 3> x;
         double                sum = 0, excess = 0;
         for (unsigned int A = 0; A < 3; ++A)
@@ -383,6 +394,8 @@ namespace Biface
             if (A == B)
               continue;
             // (S_A - S_B)/(E_A - E_B), or its limit
+            // a shear strain turns the principal axes, and with them the
+            // stresses
             const double apart = (C[A] - C[B]) / 2;
             const double by_turn =
               std::abs(apart) > 1e-6 * C[A]

@@ -15,6 +15,9 @@ namespace Biface
   {
     constexpr double degree = dealii::numbers::PI / 180;
     const double     angle  = std::remainder(crown_angle, 180);
+    // the pantograph of section 1 of doc/theory.md: the cosine of the angle
+    // from the circumference, the sine of that from the meridian, grows as the
+    // radius
     if (reference == AngleReference::meridian)
       return std::asin(ratio * std::sin(angle * degree)) / degree;
     return std::copysign(std::acos(ratio * std::cos(angle * degree)) / degree,

@@ -184,12 +184,15 @@ namespace Biface
     std::array<Tensor<2, 2>, 3> b;
     for (const Ply &ply : plies)
       {
+        // the shape functions are (1 - s)/2 and (1 + s)/2
         const auto N = FaceMoments(ply.begin, ply.end, thickness).second;
         b[0] += (N[0][0] + 2 * N[0][1] + N[1][1]) * ply.shear;
         b[1] += (N[1][1] - N[0][0]) * ply.shear;
         b[2] += (N[0][0] - 2 * N[0][1] + N[1][1]) * ply.shear;
       }
     s_0 = inverse(b[0]) * b[1];
+    // R of section 4 of doc/theory.md: opposite shear strains of the faces with
+    // the constant one that makes their shear force vanish
     return b[2] - b[1] * s_0;
   }
 
@@ -215,6 +218,8 @@ namespace Biface
                     matrix[2 * i + p][2 * j + q] +=
                       ply.plane_stress[strains[i]][strains[j]] * N.second[p][q];
           }
+        // the shear force 1 is the gradient of a bending moment, a couple of
+        // forces on both faces
         const Tensor<1, 4> solution =
           solve(matrix, Tensor<1, 4>({-1 / thickness, 1 / thickness, 0, 0}));
         for (unsigned int p = 0; p < 2; ++p)
@@ -222,6 +227,8 @@ namespace Biface
             gradient[c][p][strains[i]] = solution[2 * i + p];
       }
 
+    // stresses are continuous between plies: the integral goes on from one to
+    // the next
     Tensor<2, 2> F;
     for (Ply &ply : plies)
       {
@@ -281,6 +288,8 @@ namespace Biface
     const Tensor<2, 2> residual = law.gradient_factor * set_residual();
     const Tensor<2, 2> K        = inverse(compliance);
     for (unsigned int p = 0; p < 2; ++p)
+      // K is the stiffness whose energy is that of the stresses F Q in
+      // equilibrium
       to_amplitude[p] = K * transpose(G[p]);
     for (unsigned int p = 0; p < 2; ++p)
       for (unsigned int q = 0; q < 2; ++q)
@@ -315,6 +324,8 @@ namespace Biface
                           const unsigned int ply,
                           const double       z) const
   {
+    // the residual part has no shear force; it is that of opposite strains of
+    // the faces, which equilibrium leaves open
     const Tensor<2, 2> &b          = plies[ply].shear;
     const double        s          = 2 * z / thickness - 1;
     const Tensor<1, 2>  difference = (strains[1] - strains[0]) / 2;
@@ -338,6 +349,8 @@ namespace Biface
                           const double       z) const
   {
     if (law.kind == TransverseShearLaw::Kind::equilibrium)
+      // those of the stresses in equilibrium, of whose distribution the strains
+      // of the faces know nothing
       return inverse(plies[ply].shear) * stress(strains, ply, z);
     const double s = 2 * z / thickness - 1;
     return (1 - s) / 2 * strains[0] + (1 + s) / 2 * strains[1];
