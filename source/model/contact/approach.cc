@@ -166,6 +166,7 @@ namespace Biface
               return true;
             continue;
           }
+        // the way relative to the body, which itself moves in the step
         const Point<3>     rest   = start.at_rest(from);
         const Tensor<1, 3> way    = end.at_rest(to) - rest;
         const double       length = way.norm();
@@ -218,6 +219,7 @@ namespace Biface
           const BodyPoint    at = body.evaluate(x);
           const Tensor<1, 3> velocity = direction.velocity_of(body, x);
           const double       approach = -(at.normal * velocity);
+          // what moves along the surface never arrives, but for round-off
           if (approach > glancing * velocity.norm())
             way = std::min(way, (at.clearance + depth) / approach);
         }

@@ -23,6 +23,8 @@ namespace Biface
                              const Rolling         &rolling)
     : mesh(mesh), face(face), body(body), places(mesh.nodes.size())
   {
+    // a bristle depends on all nodes that its particle has passed, on whatever
+    // rank, so that each rank has the whole footprint
     std::map<unsigned int, std::map<unsigned int, LineNode>> by_line;
     for (const std::vector<LineNode> &of_rank :
          gather_on_all(mesh.communicator, own_nodes(streamlines, state, zone)))
@@ -99,6 +101,8 @@ namespace Biface
                   Node::sign_of_part(face * mesh.n_layers(), part) *
                   node.surface.frame[i];
                 const auto dof = node.dof(i, part);
+                // by free unknowns, since couplings are added to the tangent
+                // without constraints
                 if (!mesh.constraints.is_constrained(dof))
                   {
                     at.dofs.push_back(dof);
@@ -139,6 +143,7 @@ namespace Biface
           const auto found = by_place.find(place);
           if (found == by_place.end())
             break;
+          // the angle of a station is that of the segment to the node before it
           const unsigned int lower = (backward ? before(place) : place);
           line.stations.push_back(
             BristleLaw::station(body.body,
@@ -153,6 +158,7 @@ namespace Biface
     };
 
     bool any = false;
+    // a line begins where the node before is not near the footprint
     for (const auto &node : by_place)
       if (by_place.count(before(node.first)) == 0)
         {
@@ -340,6 +346,7 @@ namespace Biface
               continue;
             couplings.back().stiffness.reinit(node.dofs.size(),
                                               other.dofs.size());
+            // stiffnesses are minus the derivatives of forces
             const Tensor<2, 3> derivative = force_derivative(line, j, i);
             for (unsigned int a = 0; a < node.dofs.size(); ++a)
               for (unsigned int b = 0; b < other.dofs.size(); ++b)

@@ -52,6 +52,8 @@ namespace Biface
                 on_cell.forces[r] * area * (frame(r)[k] * traction.value);
             MixedElement::add_force(
               force, r, at.cell.sign_of_face(r, contact.face), forces.force);
+            // the force acts on the mean and on the half difference of the
+            // faces
             forces.square += 2 * force.norm_square();
           }
         for (unsigned int s = 0; s < 4; ++s)

@@ -178,6 +178,7 @@ namespace Biface
       sum_of_pairs(*this, [&](const ContactPair &pair) {
         return pair.update_active_set(state, loads, part_of(held, pair));
       });
+    // all ranks must agree on whether the iteration goes on
     return Utilities::MPI::sum(n_changes, mesh.communicator);
   }
 

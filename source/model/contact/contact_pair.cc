@@ -98,11 +98,15 @@ namespace Biface
       sideways.coefficient = *of_stage.friction;
     const ContactCondition condition(tread.with_tread(across),
                                      mesh.wall_stiffness());
+    // without tangential tractions nodes need no history, and with the lumped
+    // mass the tangent is symmetric
     if (sideways.coefficient.is_zero() && !of_stage.glued)
       return ContactLaws(condition);
 
     FrictionKind kind =
       (of_stage.glued ? FrictionKind::glued : FrictionKind::with_history);
+    // at a node of a rolling wheel there is always another particle, so that
+    // stick points of nodes mean nothing
     if (rolls)
       kind = (sideways.in_rolling == FrictionInRolling::bristles
                 ? FrictionKind::by_bristles
@@ -153,6 +157,8 @@ namespace Biface
     for (unsigned int n = 0; n < points.size(); ++n)
       if (zone.active[n] && zone.statuses[n] != ContactStatus::none)
         {
+          // section 7 of doc/theory.md: stick points move such that the product
+          // of slip and stiffness remains as the stiffness changes
           const PointInContact at    = at_point(state, loads, n);
           const Tensor<1, 3>  &n_at  = at.at_body.normal;
           const Point<3>       stick = at.body.present(zone.stick_points[n]);
@@ -173,6 +179,8 @@ namespace Biface
     PointInContact   at{point, x, body, body.evaluate(x)};
     if (!loads.rolling || !points.at_nodes())
       return at;
+    // x' is the difference of both neighbors on the line: inside a cell, one
+    // segment would have two slip velocities
     if (const auto &stencil = streamlines.at(point))
       {
         const double per_neighbor = stencil->per_neighbor();
@@ -199,6 +207,8 @@ namespace Biface
     unsigned int      n_changes = 0;
     for (unsigned int n = 0; n < points.size(); ++n)
       {
+        // section 7 of doc/theory.md: an active point leaves if its multiplier
+        // pulls, another one enters if it is beyond the surface
         const Tensor<1, 3> last   = zone.multipliers[n];
         const bool         active = placed && points.may_touch(n) &&
                             ((!held.empty() && held[n]) ||
@@ -207,12 +217,16 @@ namespace Biface
         if (active != static_cast<bool>(zone.active[n]))
           {
             zone.active[n] = active;
+            // ghosts are decided here as on their own rank, from the same
+            // numbers, and are not counted twice
             if (points.is_owned(n))
               ++n_changes;
           }
         zone.multipliers[n] = 0;
         if (!active)
           continue;
+        // a point that enters has the multiplier 0 until the next linear system
+        // is solved
         zone.multipliers[n][0]   = last[0];
         const TangentialLaw &law = placed->laws.tangential();
         if (!law.acts_on(zone, n))
@@ -258,6 +272,9 @@ namespace Biface
     for (unsigned int n = 0; n < points.size(); ++n)
       if (placed && zone.active[n])
         {
+          // the linearized clearance, epsilon (c - n.dx) with the motion
+          // against the body: multipliers of forces that balance in the linear
+          // system are as large as the loads
           const Point<3>     x      = points.position(state.displacement, n);
           const Tensor<1, 3> motion = x - before[n].position;
           zone.multipliers[n][0]    = placed->laws.condition().multiplier(
@@ -282,6 +299,8 @@ namespace Biface
   unsigned int
   ContactPair::settle(State &state, const Loads &loads) const
   {
+    // at the end of a step multipliers are those of the clearances; if this
+    // changes the active set, the iteration goes on
     if (const PlacedBody *placed = body(loads))
       for (unsigned int n = 0; n < points.size(); ++n)
         if (points.may_touch(n))
@@ -361,6 +380,7 @@ namespace Biface
         body(loads)->laws.tangential().commit_step(zone,
                                                    at_point(state, loads, n));
       else
+        // what leaves the body loses its history
         zone.forget_stick_point(n);
   }
 
@@ -376,6 +396,8 @@ namespace Biface
     const ContactLaws   &laws    = body(loads)->laws;
     const double         epsilon = laws.condition().penalty_stiffness();
     LinearizedTraction   result;
+    // the residual has the pressure of the clearance, the tangent the
+    // multiplier of the last linear system, section 7 of doc/theory.md
     result.value = laws.condition().multiplier(at.at_body.clearance) * n;
     result.stiffness =
       epsilon * outer_product(n, n) -

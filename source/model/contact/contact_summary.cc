@@ -73,6 +73,8 @@ namespace Biface
         pair,
         pair.state_of(after),
         [&](const unsigned int n, const double area) {
+          // section 6 of doc/theory.md: the traction at the end of the step on
+          // the motion of the stick point
           work -=
             area * (pair.traction_of_multipliers(after, loads, n).friction *
                     pair.body(loads)->laws.tangential().slip_in_step(

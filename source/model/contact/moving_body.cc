@@ -35,6 +35,7 @@ namespace Biface
       [&](const unsigned int position) { return factor_at(factors, position); },
       other->axis / other->axis.norm(),
       other->point);
+    // its own motions come before that of the ground
     return is_on_ground() ? with_ground(moved) : moved;
   }
 } // namespace Biface

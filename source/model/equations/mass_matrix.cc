@@ -18,6 +18,8 @@ namespace Biface
       {
         const Cell &cell = mesh.cells[c];
         matrix.add(c, cell_mass(cell), MixedElement::NodalVector(), nothing);
+        // the shape functions add up to 1, so that the moments add up to the
+        // mass per area
         for (const auto &row : mesh.strips[cell.strip].laminate.mass_moments())
           for (const double moment : row)
             total_mass += cell.geometry.weight * moment;

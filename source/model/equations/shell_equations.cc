@@ -26,6 +26,8 @@ namespace Biface
     , constraints(mesh.constraints)
     , rhs(mesh.owned_vector())
   {
+    // first those that linear theory linearizes, so that a range of the list
+    // contains them
     for (const bool linearized : {true, false})
       {
         for (const auto &term : this->other_terms)
@@ -36,6 +38,8 @@ namespace Biface
       }
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       elements.push_back({&mesh.cells[c], c});
+    // terms may act on elements of their own, such as the sections at an edge
+    // with moments
     for (const ForceTerm *term : terms)
       {
         unsigned int index = 0;
@@ -101,6 +105,8 @@ namespace Biface
               terms[t]->add(at, forces);
               terms[t]->add_load_derivative(at, change, forces.load);
             }
+        // so far the tangent is that of the loads; internal forces, which come
+        // last, linearize themselves
         for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
           for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
             forces.force[i] -= forces.tangent[i][j] * dV[j];
@@ -135,6 +141,8 @@ namespace Biface
     std::vector<ForceTerm::Coupling> couplings;
     for (const ForceTerm *term : terms)
       term->add_couplings(state, loads, couplings);
+    // all ranks take part in building a matrix, even if only one of them has
+    // new couplings
     if (Utilities::MPI::logical_or(!matrix || !matrix->has(couplings),
                                    mesh.communicator))
       {
@@ -179,6 +187,7 @@ namespace Biface
     matrix->compress();
     rhs.compress(VectorOperation::add);
     load.compress(VectorOperation::add);
+    // what supports take up needs no balance and does not count in the norms
     mesh.condense(load);
     LA::Vector coupled = coupled_forces(state, loads, square);
     mesh.condense(coupled);
@@ -298,6 +307,8 @@ namespace Biface
     {
       double value = 0;
       for (unsigned int i = 0; i < prescribed.values.size(); ++i)
+        // after a start from prestress, prescribed displacements count from the
+        // new shape
         value +=
           (factor_at(loads.factors, i) - factor_at(loads.factors_of_shape, i)) *
           prescribed.values[i];
@@ -309,6 +320,8 @@ namespace Biface
   void
   ShellEquations::move_supports(State &state, const Loads &loads) const
   {
+    // the constraints of the mesh are homogeneous, prescribed values are added
+    // to what they give
     LA::Vector displacement = owned_part(state.displacement);
     mesh.constraints.distribute(displacement);
     for (const PrescribedDisplacement &p : mesh.prescribed)
@@ -352,6 +365,8 @@ namespace Biface
   ShellEquations::is_symmetric(const Loads            &loads,
                                const LA::SparseMatrix &tangent) const
   {
+    // loads that follow the shell have a potential or not by what happens at
+    // the edges: only the tangent itself tells
     return !has_unsymmetric_contact(loads) &&
            (is_symmetric(loads) || Biface::is_symmetric(mesh, tangent));
   }
@@ -445,6 +460,8 @@ namespace Biface
   ShellEquations::start_from_prestress(State &state, const Loads &loads) const
   {
     Assert(loads.bodies.empty(), ExcInternalError());
+    // from here on the shell is undeformed, and the loads to be balanced are
+    // those on this shape
     internal.take_as_prestress(state);
     LA::Vector given = nodal_forces(state, loads)[ForceTerm::Source::loads];
     internal.balance(given, state);
@@ -500,6 +517,8 @@ namespace Biface
     double violation = 0;
     for (const PrescribedDisplacement &p : mesh.prescribed)
       {
+        // linear systems are those of increments, so that the first solution
+        // attains the prescribed values
         double missing = value_of(p, loads) - state.displacement(p.dof);
         for (const auto &entry : *constraints.get_constraint_entries(p.dof))
           missing += entry.second * state.displacement(entry.first);
@@ -526,6 +545,8 @@ namespace Biface
   {
     if (force_scale == 0)
       return 0;
+    // section 7 of doc/theory.md: forces that cancel in the residual leave
+    // round-off of the order of |K||V|
     const Epetra_CrsMatrix &epetra = tangent().trilinos_matrix();
     const Epetra_Vector     V      = at_columns(tangent(), state.displacement);
     double                  square = 0;
@@ -549,6 +570,8 @@ namespace Biface
   {
     const bool predicts =
       iteration == NewtonIteration::mixed && !state.linearization_point;
+    // before the displacements change, since the prediction is linear about the
+    // old ones
     if (predicts)
       {
         LA::Vector ghosted_increment = mesh.ghosted_vector();

@@ -29,6 +29,8 @@ namespace Biface
   LA::Vector
   arbitrary_displacements(const ShellMesh &mesh, const unsigned int seed)
   {
+    // the numbers follow from those of the nodes, so that they are the same on
+    // any number of ranks
     LA::Vector v = mesh.owned_vector();
     for (const Node &node : mesh.nodes)
       if (node.locally_owned)
@@ -64,6 +66,8 @@ namespace Biface
   bool
   is_symmetric(const ShellMesh &mesh, const LA::SparseMatrix &K)
   {
+    // an unsymmetric matrix has y.K x = x.K y for two arbitrary vectors only by
+    // chance
     const LA::Vector x = arbitrary_displacements(mesh, 0);
     const LA::Vector y = arbitrary_displacements(mesh, 7);
     LA::Vector       product(x);

@@ -64,6 +64,9 @@ namespace Biface
             fast_cell[c] = fast_cell[c - 1];
             continue;
           }
+        // rows of unknowns that are free and owned go directly into the arrays
+        // of the matrix; all others need constraints or an exchange between
+        // ranks
         bool fast = true;
         for (const auto dof : cell.dofs)
           fast = fast && mesh.locally_owned.is_element(dof) &&
@@ -111,6 +114,7 @@ namespace Biface
   TangentMatrix::add(const ForceTerm::Coupling &coupling)
   {
     if (!coupling.stiffness.empty())
+      // rows and columns of a coupling are free unknowns already
       matrix.add(coupling.rows, coupling.columns, coupling.stiffness, false);
   }
 

@@ -33,6 +33,8 @@ namespace Biface
           for (unsigned int f = 0; f < 2; ++f)
             for (unsigned int g = 0; g < 2; ++g)
               {
+                // two transposed terms of opposite sign make the matrix skew to
+                // round-off, section 10 of doc/theory.md
                 const Tensor<2, 3> part = factor * m[f][g] * derivative;
                 MixedElement::add_stiffness(-part,
                                             q,
@@ -62,6 +64,8 @@ namespace Biface
           const unsigned int node = cell.nodes[v];
           if (!pair.state_of(state).active[node])
             continue;
+          // friction in rolling needs lumped multipliers, by which a traction
+          // acts on its own node alone
           const auto        &frame = pair.mesh.nodes[node].surface.frame;
           const Tensor<2, 3> per_velocity =
             pair.traction(state, loads, node).per_velocity;

@@ -74,8 +74,11 @@ namespace Biface
   {
     if (axis.norm_square() > 0)
       {
+        // r/2 e_r has the divergence 1, as F of section 5 of doc/theory.md
         linear_part = unit_symmetric_tensor<3>();
         linear_part = (linear_part - outer_product(axis, axis)) / 2;
+        // as an edge moves along the axis, the circle of the rim sweeps a
+        // volume that does not belong to the cavity
         if (rim_radius > 0)
           for (const BoundarySegment &segment : mesh.boundary)
             if (segment.edge == Edge::alpha_1_min ||
@@ -106,6 +109,8 @@ namespace Biface
         exact += exact_flux(cell);
         of_cells += flux(cell, MixedElement::NodalVector());
       }
+    // the faces of the cells give the changes of the volume, of which the
+    // forces are the exact derivatives, and not the volume itself
     exact    = Utilities::MPI::sum(exact, mesh.communicator);
     constant = parameters.volume.value_or(exact) -
                Utilities::MPI::sum(of_cells, mesh.communicator);
@@ -149,6 +154,7 @@ namespace Biface
   Tensor<1, 3>
   Cavity::field(const Point<3> &x) const
   {
+    // (r^2 - r_0^2)/2r e_r does not pass through the rim
     const Tensor<1, 3> linear = linear_part * x;
     return rim_radius > 0
              ? (1 - rim_radius * rim_radius / (4 * linear.norm_square())) *
@@ -213,6 +219,8 @@ namespace Biface
                (field(at.position + delta * at.frame[2]) *
                 cross_product_3d(tangents[0], tangents[1]));
       }
+    // the cross product points outward, away from the gas inside and toward a
+    // gas outside
     return face == Resultants::inner ? sum : -sum;
   }
 

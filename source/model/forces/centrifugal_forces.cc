@@ -39,6 +39,8 @@ namespace Biface
           {slope.of(at.V, 0), slope.of(at.V, 1)}};
         for (unsigned int face = 0; face < 2; ++face)
           {
+            // x' depends on the displacements of both nodes of a segment,
+            // section 10 of doc/theory.md
             const Tensor<1, 3> momentum =
               at.cell.geometry.weight / 4 *
               (m[face][0] * x[0] + m[face][1] * x[1]);
@@ -60,6 +62,8 @@ namespace Biface
     if (!forces.with_tangent)
       return;
 
+    // the potential is quadratic in the positions, so that the tangent is
+    // constant and symmetric
     const MassMoments &m = mass_moments[at.cell.strip];
     for (unsigned int q = 0; q < 4; ++q)
       {

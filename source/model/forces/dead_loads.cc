@@ -261,6 +261,8 @@ namespace Biface
       for (const double half : node.half_thickness)
         {
           middle += half;
+          // the mean displacement, plus the half differences of the layers
+          // below the height, less those of the layers above it
           by_layers.push_back(
             half == 0 ? 0.
                       : std::min(1., std::max(-1., (height - middle) / half)));

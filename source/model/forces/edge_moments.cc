@@ -68,6 +68,8 @@ namespace Biface
                 first_moment += part.stiffness[p][q] * part.heights[q];
               }
         }
+      // the height about which a section turns without a resultant force,
+      // section 5 of doc/theory.md
       const double neutral = first_moment / stiffness;
 
       const unsigned int  n = mesh.n_layers();
@@ -91,6 +93,8 @@ namespace Biface
                            (force[1] - force[0]) * by.half_difference;
             }
         }
+      // the director h sum f v/sum f delta is twice the half difference of an
+      // element
       const double thickness =
         mesh.cells[wall].geometry.vertices[vertex].thickness;
       for (double &value : result)
@@ -178,6 +182,8 @@ namespace Biface
                                  const Tensor<1, 3> &axis,
                                  const Tensor<1, 3> &director)
   {
+    // M w x d/|d_perp|^2 does work on the angle of the director alone, whatever
+    // its length (section 5 of doc/theory.md)
     const Tensor<1, 3> turned = cross_product_3d(axis, director);
     const Tensor<1, 3> across = director - (director * axis) * axis;
     const double       square = across.norm_square();

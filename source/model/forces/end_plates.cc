@@ -28,6 +28,8 @@ namespace Biface
     // within the side of a cell, which is straight if positions are
     // interpolated
     const double angle = segment.length / surface.lame[1];
+    // half of the sector between the axis and the side, the other half is that
+    // of its other node
     const double area =
       (radius
          ? *radius * *radius * angle

@@ -60,6 +60,8 @@ namespace Biface
   void
   Gas::start_stage(const Loads &loads, State &state) const
   {
+    // gas flows in and out until a stage seals it with the content that it then
+    // has
     state.terms.erase(name());
     if (loads.sealed_gas)
       state.terms[name()].numbers = {(loads.pressure + ambient_pressure) *
@@ -88,6 +90,8 @@ namespace Biface
   {
     if (!loads.sealed_gas)
       return;
+    // a term of rank one in the tangent, which would fill the matrix, section 5
+    // of doc/theory.md
     DependentLoads pressure;
     pressure.rates.pressure = 1;
     pressure.gradient       = cavity.volume_gradient(state);

@@ -25,6 +25,8 @@ namespace Biface
     for (const Strip &strip : mesh.strips)
       {
         nonlinear.emplace_back(strip.laminate, mesh.sampling);
+        // the points of the plies have the whole stiffness: nothing linear is
+        // left beside them
         if (nonlinear.back().is_whole_law())
           {
             stiffness.emplace_back(Resultants::Matrix(), mesh.sampling);
@@ -32,10 +34,14 @@ namespace Biface
           }
         stiffness.emplace_back(strip.laminate.stiffness(), mesh.sampling);
         if (mesh.thickness_strain == ThicknessStrain::normal)
+          // section 4 of doc/theory.md, "Nearly incompressible layers":
+          // positive whatever cords are slack
           stiffness.back().release_thickness_strain(
             strip.laminate.stiffness_of_slack_cords());
       }
     of_laminate = resultants_of_laminate();
+    // stresses follow from the strains since the imperfect shape, which is free
+    // of stress (section 1 of doc/theory.md)
     if (mesh.imperfection.size() > 0)
       for (const Cell &cell : mesh.cells)
         of_imperfection.push_back(
@@ -81,6 +87,8 @@ namespace Biface
   bool
   InternalForces::is_symmetric(const Loads &loads) const
   {
+    // around a rolling wheel a particle remembers what is behind it and not
+    // what is ahead, so that forces have no potential
     return symmetric_stiffness &&
            !(loads.rolling && mesh.get_layup().relaxes());
   }
@@ -166,6 +174,8 @@ namespace Biface
       return linear;
     if (!state.prestress)
       return linear + plies.resultants(E, history(state, c));
+    // only the change since the start: the resultants before are those of the
+    // prestress, which are counted apart
     const Modes::Vector E_0 = initial_strain(state, c);
     return linear + (plies.resultants(E_0 + E) - plies.resultants(E_0));
   }
@@ -182,6 +192,8 @@ namespace Biface
     const NonlinearPlies &plies = nonlinear_plies(cell);
     if (plies.all_linear())
       return linear;
+    // likewise, without the linear part, the work of the resultants of the
+    // prestress
     const Modes::Vector E_0 = initial_strain(state, c);
     return linear + (plies.energy(E_0 + E) - plies.energy(E_0) -
                      Modes::mean_product(plies.resultants(E_0), E));
@@ -198,6 +210,7 @@ namespace Biface
   void
   InternalForces::start_stage(const Loads &, State &state) const
   {
+    // what has relaxed in the stages before goes on
     if (name().empty() || state.terms.count(name()) > 0)
       return;
     unsigned int n = 0;
@@ -224,6 +237,8 @@ namespace Biface
               .commit(
                 total_strains(after, c), history(after, c), &internal(c, 0));
       }
+    // no time passes in the state at the end of a step, in which modes and
+    // buckling have the instantaneous moduli
     after.time_step = TimeStep();
     after.transport_velocity.reset();
   }
@@ -235,6 +250,8 @@ namespace Biface
     const auto found = state.terms.find("relaxation");
     if (!loads.rolling || found == state.terms.end())
       return {};
+    // internal variables depend on all cells around the axle, so that they are
+    // set before any cell is assembled
     state.transport_velocity = loads.rolling->angular_velocity;
     return transport.set_internal_variables(
       [&](const unsigned int c) { return total_strains(state, c); },
@@ -260,6 +277,8 @@ namespace Biface
                          const double angular_velocity) const
   {
     Table<2, double> internal = state.terms.at("relaxation").at_cells;
+    // around the axle those of a point are of the point behind it, from which a
+    // step in time leads here
     if (state.transport_velocity)
       for (const unsigned int c : mesh.layers)
         nonlinear_plies(mesh.cells[c])
@@ -314,6 +333,8 @@ namespace Biface
     LA::Vector forces = mesh.owned_vector();
     for (const unsigned int c : mesh.layers)
       {
+        // initial resultants are balanced by constant forces B_0^T H_0 in the
+        // undeformed shape, section 3 of doc/theory.md
         const MixedElement undeformed(mesh.cells[c].geometry,
                                       MixedElement::NodalVector());
         mesh.add_nodal_forces(
@@ -340,6 +361,8 @@ namespace Biface
   {
     std::vector<Modes::Vector> since = initial_resultants(state);
     for (unsigned int c = 0; c < since.size(); ++c)
+      // those of the laminate are balanced by loads that are no part of the
+      // model
       since[c] -= of_laminate[c];
     LA::Vector forces = forces_of(since);
     add_constant_forces(state, forces);
@@ -378,6 +401,8 @@ namespace Biface
   State
   InternalForces::in_shape_of_tangent(const State &state) const
   {
+    // section 8 of doc/theory.md: the shape about which the strains are
+    // linearized, with the resultants at the end of the stage
     State result = state;
     if (!state.linearization_point)
       return result;
@@ -403,6 +428,8 @@ namespace Biface
       }
     if (state.prestress)
       prestress->balancing_forces = state.prestress->balancing_forces;
+    // the undeformed shell under the resultants that were reached, section 5 of
+    // doc/theory.md, "Known stressed shapes"
     state = State(mesh, state.contacts.size(), state.ground().per_cell);
     state.prestress = prestress;
   }
@@ -566,6 +593,8 @@ namespace Biface
   double
   InternalForces::strain_energy(const State &state) const
   {
+    // with what has relaxed, stresses are no derivatives of an energy of the
+    // strains alone
     if (mesh.get_layup().relaxes())
       return std::numeric_limits<double>::quiet_NaN();
     double     energy = 0;

@@ -120,6 +120,8 @@ namespace Biface
           p_v[v] = p[cell.nodes[v]];
 
         MixedElement::NodalVector force;
+        // a true pressure on the undeformed face, integrated exactly as that on
+        // the deformed one
         if (area == AreaMeasure::face)
           force = FollowerPressure(
                     cell.geometry, MixedElement::NodalVector(), face, p_v)
@@ -127,6 +129,8 @@ namespace Biface
         else
           for (unsigned int v = 0; v < 4; ++v)
             {
+              // e_3 points outward: a pressure on the inner face pushes along
+              // it
               Tensor<1, 3> normal_force;
               normal_force[2] = (face == Resultants::inner ? 1 : -1) * p_v[v] *
                                 vertex_area(cell, v, area, face);
@@ -192,6 +196,8 @@ namespace Biface
   bool
   PressureForces::is_symmetric(const Loads &loads) const
   {
+    // whether a pressure that follows the shell has a potential depends on its
+    // edges
     return kind == PressureKind::dead || loads.pressure == 0;
   }
 } // namespace Biface

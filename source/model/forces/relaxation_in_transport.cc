@@ -174,6 +174,8 @@ namespace Biface
     const auto                 size  = [&](const unsigned int j) {
       return lines[j % n + 1] - lines[j % n];
     };
+    // a particle comes from the other point of the cell, or across the edge
+    // from the nearer one of the cell behind
     const bool descends = transport_is_against_chart(*state.transport_velocity);
     const double angle =
       (second == 1) != descends
@@ -213,6 +215,8 @@ namespace Biface
         fill(c, values);
         ring.set_cell(around(c), values);
       }
+    // the cells of a line may belong to several ranks; values are zero on all
+    // but one
     ring.sum(mesh.communicator);
     return ring;
   }
@@ -409,6 +413,8 @@ namespace Biface
                       energy +=
                         (here[i] + next[i]) / 2 * (next[n + i] - here[n + i]);
                   }
+                // the ring is in the order of the coordinate, particles pass it
+                // in that of the transport
                 of_plies[stress.ply] +=
                   (transport_is_against_chart(angular_velocity) ? -1 : 1) *
                   stress.thickness * energy / n_rows;
@@ -473,6 +479,8 @@ namespace Biface
             own.size(),
             std::vector<double>(Modes::n_gauss_points *
                                 plies.n_relaxing_components()));
+          // what relaxes changes the thickness strains, and these the stresses
+          // that relax: two more turns, section 10 of doc/theory.md
           const unsigned int n_rounds = plies.is_whole_law() ? 3 : 1;
           for (unsigned int round = 0; round < n_rounds; ++round)
             {

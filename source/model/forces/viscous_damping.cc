@@ -49,8 +49,12 @@ namespace Biface
   void
   ViscousDamping::add(const CellState &at, CellForces &forces) const
   {
+    // half of the dashpots on each face: the same stiffness for the mean and
+    // for half the difference
     const double              area = at.cell.geometry.weight / 4;
     MixedElement::NodalVector force;
+    // outside of a step the tractions of the last one, in which its end is in
+    // equilibrium
     if (at.loads.part_of_stage == 0)
       force = area * remembered(at.state, at.index, n);
     else

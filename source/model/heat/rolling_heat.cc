@@ -150,6 +150,8 @@ namespace Biface
         const Node &node = mesh.nodes[k];
         if (!node.locally_owned || !state.ground().active[k])
           continue;
+        // a node covers its line halfway to both neighbors, and half of the
+        // strips beside it
         const unsigned int j = node.grid_index[1];
         const double       angle =
           (around[j + 1] - around[j] + around[(j + n - 1) % n + 1] -
@@ -248,6 +250,8 @@ namespace Biface
 
     if (!last_change.empty())
       {
+        // Aitken's factor from the last two changes, section 10 of
+        // doc/theory.md, "Heat"
         double product = 0, square = 0;
         for (unsigned int k = 0; k < change.size(); ++k)
           {

@@ -21,6 +21,8 @@ namespace Biface
   HeatFilm
   HeatFilm::mean(const HeatFilm &a, const HeatFilm &b, const double part_of_b)
   {
+    // the mean flux of a surface that meets both in turn, each for its part of
+    // the time
     const double of_a = (1 - part_of_b) * a.coefficient,
                  of_b = part_of_b * b.coefficient;
     HeatFilm result;
@@ -124,6 +126,7 @@ namespace Biface
     };
     for (const auto &cell : dof_handler.active_cell_iterators())
       {
+        // cells have the order in which they were made
         const unsigned int strip = cell->index() / n_plies,
                            ply   = cell->index() % n_plies;
         values.reinit(cell);

@@ -20,6 +20,8 @@ namespace Biface
     if (largest.value == CellMaximum::none)
       return {};
 
+    // of cells with equal values but for round-off the one with the lowest
+    // number, whatever the number of ranks
     auto first = std::numeric_limits<types::global_cell_index>::max();
     for (unsigned int c = 0; c < values.size(); ++c)
       if (values[c] >= largest.bound() && mesh.cells[c].number < first)

@@ -360,6 +360,8 @@ namespace Biface
                     add(0, 0, f[c]);
                     for (unsigned int part = 1; part < n_parts; ++part)
                       {
+                        // a half difference turns with the director, so that it
+                        // grows with the thickness of its layer
                         const double half  = here.of_layers[part - 1],
                                      other = there.of_layers[part - 1];
                         if (half > 0 && other > 0)

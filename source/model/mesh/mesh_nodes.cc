@@ -18,6 +18,8 @@ namespace Biface
   std::vector<double>
   Node::thickness_weights() const
   {
+    // section 4 of doc/theory.md: what is spread over the thickness does work
+    // on the mean of the layers, weighted by their thickness
     double thickness = 0;
     for (const double half : half_thickness)
       thickness += half;

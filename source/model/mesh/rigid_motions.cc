@@ -157,6 +157,8 @@ namespace Biface
               if (!mesh.constraints.is_constrained(node.dofs[d]))
                 continue;
 
+              // what a motion does to a constrained unknown less what its
+              // constraint demands
               Combination violation;
               for (unsigned int m = 0; m < n_motions; ++m)
                 {

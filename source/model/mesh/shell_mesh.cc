@@ -582,6 +582,8 @@ namespace Biface
       Cell::Contribution part;
       if (own[0] != inner || own[1] != outer)
         {
+          // s and r of section 2 of doc/theory.md: displacements are linear
+          // over the wall, and beyond its faces at the node
           part.mean            = (own[1] + own[0] - outer - inner) / thickness;
           part.half_difference = (own[1] - own[0]) / thickness;
         }
@@ -809,6 +811,7 @@ namespace Biface
             for (unsigned int d = 0; d < n_dofs; ++d)
               dofs[position(line, i) + d] = nodes[node->second].dofs[d];
         }
+    // zero on ranks that do not own the node, so that the sum makes all known
     Utilities::MPI::sum(dofs, communicator, dofs);
 
     const unsigned int n_known = nodes.size();
@@ -965,6 +968,8 @@ namespace Biface
   double
   ShellMesh::wall_stiffness() const
   {
+    // section 6 of doc/theory.md: what the softest place of the wall yields to
+    // a pressure sets the scale of penetrations
     double minimum = std::numeric_limits<double>::infinity();
     for (unsigned int i = 0; i < n_strips(); ++i)
       minimum = std::min({minimum,
@@ -977,6 +982,8 @@ namespace Biface
   double
   ShellMesh::wall_stiffness_sideways() const
   {
+    // where a membrane limits the stiffness, its part of that across the wall
+    // counts once more
     double minimum = std::numeric_limits<double>::infinity();
     for (unsigned int i = 0; i < n_strips(); ++i)
       {
@@ -1114,6 +1121,7 @@ namespace Biface
               nodal_forces.add(1, &entry.first, &part);
             }
         }
+    // between adding and setting entries, ranks must exchange what they have
     nodal_forces.compress(VectorOperation::add);
     for (const auto &line : constraints.get_lines())
       if (locally_owned.is_element(line.index))

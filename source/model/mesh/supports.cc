@@ -88,6 +88,8 @@ namespace Biface
       return std::vector<SupportCondition>{
         {Component::v_1, c, 0}, {Component::v_2, c, 0}, {Component::v_3, c, 0}};
     };
+    // two conditions, one on each outermost face; faces between layers are held
+    // along with the outer one
     const auto both = [](std::vector<SupportCondition> conditions) {
       const unsigned int n = conditions.size();
       for (unsigned int i = 0; i < n; ++i)

@@ -36,6 +36,7 @@ namespace Biface
   {
     if (!mesh.grid.closed)
       return {};
+    // at most as many waves as half the lines: more of them look like fewer
     const std::vector<double> &lines   = mesh.grid.lines[1];
     const unsigned int         n_lines = mesh.grid.n_nodes(0);
     const unsigned int         n_max   = mesh.grid.n_nodes(1) / 2;

@@ -141,6 +141,7 @@ namespace Biface
               const Loads                  &loads,
               const std::vector<LoadRates> &rates)
   {
+    // M = -sum f.(e_y x x), section 10 of doc/theory.md
     const Tensor<1, 3> axle({0., 1., 0.});
     return work_of_contact(
       ground,
@@ -160,6 +161,8 @@ namespace Biface
                 const LoadRates              &motion,
                 const std::vector<LoadRates> &rates)
   {
+    // the balance of powers of section 6 of doc/theory.md, "A body found by a
+    // force", without its spring
     const RigidBody   &body = pair.body(loads)->body;
     const Tensor<1, 3> spin = motion.angular_velocity_of(body);
     Motion             velocity;

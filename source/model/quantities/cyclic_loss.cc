@@ -34,6 +34,8 @@ namespace Biface
       {
         const double x =
           std::abs(std::remainder(angle, 2 * numbers::PI)); // in [0, pi]
+        // the second derivative log(2 sin(x/2)) is log(x) and a power series,
+        // both integrated twice
         const double square = x * x;
         double       series = 0;
         for (unsigned int k = n_terms; k > 0; --k)

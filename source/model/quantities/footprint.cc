@@ -195,6 +195,8 @@ namespace Biface
         if (next->active || !beyond || beyond->active)
           return end;
 
+        // P/(P + G) of section 6 of doc/theory.md, "The footprint", with the
+        // ratio as the factor of g_1/g_2 in G
         const double h_1 = at.x.distance(next->x),
                      h_2 = next->x.distance(beyond->x),
                      h_0 = (before ? at.x.distance(before->x) : h_1);
@@ -283,6 +285,7 @@ namespace Biface
                 std::array<Point<3>, 2> ends{
                   {node_grid.end_of_part(index, a, -1),
                    node_grid.end_of_part(index, a, 1)}};
+                // ends that have passed each other leave nothing between them
                 if ((ends[1] - ends[0]) * line < 0)
                   ends[0] = ends[1] = ends[0] + (ends[1] - ends[0]) / 2;
                 parts[a] = ends[1] - ends[0];

@@ -59,6 +59,8 @@ namespace Biface
       // a pair of nodes on cyclic edges without another support
       if (n == 0)
         return {};
+      // equations at a node need not be orthogonal: their multipliers follow
+      // from the work of the missing forces on all of them
       FullMatrix<double> products(n, n);
       Vector<double>     work(n), multipliers(n);
       for (unsigned int k = 0; k < n; ++k)

@@ -216,6 +216,8 @@ namespace Biface
               if (plies[p].material.loss_factor > 0)
                 for (unsigned int g = 0; g < n_points; ++g)
                   {
+                    // all particles of a ring have the same loss: that of one
+                    // of them, times the area of the ring
                     const double area = values.back() / n_points;
                     energies.at(mesh.cells[c], plies[p]) +=
                       area * loss_of_ply(laminate, p, strains[j][g], of_all[g]);

@@ -30,6 +30,7 @@ namespace Biface
       constexpr unsigned int max_iterations = 20;
       constexpr double       tolerance      = 1e-14;
 
+      // in the plane of the wheel, which is orthogonal to the axle
       Tensor<1, 3> down = ground.direction();
       down[1]           = 0;
       Point<3> center;
@@ -84,6 +85,8 @@ namespace Biface
                 continue;
               const double force =
                 cell.geometry.weight / 4 * contact.state_of(state).pressure(n);
+              // -Omega x' - v_g along the velocity of the ground vanishes in
+              // the mean, weighted by the forces
               sums[0] += force * speed;
               sums[1] -= force * (at.particle->slope * v) / speed;
             }

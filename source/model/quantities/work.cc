@@ -56,6 +56,7 @@ namespace Biface
     LA::Vector       change     = owned_part(after.state.displacement);
     change -= owned_part(before.state.displacement);
     const auto work = [&](const ForceTerm::Source source) {
+      // mean forces of the step, the trapezoidal rule
       double sum =
         before.forces[source] * change + after.forces[source] * change;
       if (source == ForceTerm::Source::ground)

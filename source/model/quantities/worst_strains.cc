@@ -45,6 +45,7 @@ namespace Biface
           const Resultants::Vector &E = strains[v];
           for (unsigned int face = 0; face < 2; ++face)
             {
+              // minus the lower principal strain in the face
               const double E_11 = E[tangential(0, face)];
               const double E_22 = E[tangential(1, face)];
               const double compression =
@@ -128,6 +129,8 @@ namespace Biface
                        determinant = inner * outer - both * both;
           for (unsigned int v = 0; v < 4; ++v)
             {
+              // the force that each face carries along the wave, section 4 of
+              // doc/theory.md, "Gradient factor"
               std::array<double, 2> N;
               for (unsigned int p = 0; p < 2; ++p)
                 N[p] = n[0] * n[0] * H[v][tangential(0, p)] +

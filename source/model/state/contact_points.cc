@@ -35,6 +35,7 @@ namespace Biface
       {
         const std::array<double, 2> x{
           {(i % per_side + 0.5) / per_side, (i / per_side + 0.5) / per_side}};
+        // M_rs = N_r(s) w/k^2, section 6 of doc/theory.md
         OnCell point{};
         for (unsigned int v = 0; v < 4; ++v)
           {

@@ -71,6 +71,7 @@ namespace Biface
           for (unsigned int i = 0; i < 3; ++i)
             {
               const auto dof = node.dof(i, part);
+              // without the imperfection, which the finer mesh has on its own
               displacements[part * contacts.size() + node.number][i] =
                 state.displacement(dof) -
                 (mesh.imperfection.size() > 0 ? mesh.imperfection(dof) : 0.);
@@ -81,6 +82,8 @@ namespace Biface
       resultants_of_layers[n_layers * mesh.cells[c].column +
                            mesh.cells[c].layer] = state.resultants[c];
 
+    // nodes and cells have one owner and are zero elsewhere: after the sums
+    // each rank knows the whole state
     sum(displacements, mesh.communicator);
     sum(resultants_of_layers, mesh.communicator);
     Utilities::MPI::sum(contacts, mesh.communicator, contacts);
