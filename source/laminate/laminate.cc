@@ -478,8 +478,8 @@ namespace Biface
   Resultants::Matrix
   Laminate::stiffness_of_slack_cords() const
   {
-    // with the least that cords of any law can add, since what is derived from
-    // it must be positive for every pattern of slack cords
+    // energies that are derived from it must be positive for every pattern of
+    // slack cords, section 4 of doc/theory.md, "Nearly incompressible layers"
     Resultants::Matrix matrix = D;
     for (const CordPoint &cord : cord_points())
       for (unsigned int s = 0; s < Resultants::n_tangential; ++s)
