@@ -107,6 +107,7 @@ namespace Biface
         // from the last solution, by a smaller step after each failure
         easing = std::max(1., *last / ratio);
       }
+    // what fails are the given laws, and advice refers to them
     Attempt result           = failed;
     result.result.iterations = iterations;
     if (run.laws.bristles())

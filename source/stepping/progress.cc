@@ -40,6 +40,7 @@ namespace Biface
   void
   Progress::change_stage(const Stage &before, const Stage &now)
   {
+    // a stage that has not begun is made from the changed file anyway
     if (!stage_begun)
       return;
     const std::unique_ptr<Control> changed = make_control(complete(before));

@@ -79,6 +79,7 @@ namespace Biface
   RollingReport::warn_of_fast_wheel(const StageRun   &run,
                                     const StepReport &report)
   {
+    // without mass there are neither centrifugal forces nor standing waves
     const auto &strips = run.contact.mesh.strips;
     if (warned || report.n_negative_pivots.value_or(0) == 0 ||
         report.loads->rolling->angular_velocity == 0 ||

@@ -131,6 +131,7 @@ namespace Biface
   void
   StageControl::check(const std::string &section) const
   {
+    // an entry that the control does not read is refused rather than ignored
     if (!prescribes_force() && force != 0)
       throw InputError(section + "/Force",
                        number_to_string(force),

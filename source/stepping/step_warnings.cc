@@ -33,6 +33,7 @@ namespace Biface
   {
     constexpr double steep = numbers::PI / 4;
 
+    // a step that converged at once gives no reason to doubt its solution
     if (report.n_cuts == 0)
       return;
     for (const auto &pair : run.contact.pairs)
@@ -111,6 +112,8 @@ namespace Biface
         const ActiveSet pierced = pierced_nodes(*pair, run.state, loads);
         const bool      any     = std::any_of(
           pierced.begin(), pierced.end(), [](const char node) { return node; });
+        // the names of nodes are gathered from all ranks, which must go the
+        // same way
         if (!Utilities::MPI::logical_or(any, run.contact.mesh.communicator))
           continue;
         out << "  Warning: "
