@@ -76,6 +76,7 @@ namespace Biface
     Known known{cavity != nullptr,
                 numbers::invalid_unsigned_int,
                 numbers::invalid_unsigned_int};
+    // a result must exist at the ends of all of them
     for (const Stage &stage : stages)
       {
         known.n_modes    = std::min(known.n_modes, stage.n_modes);
