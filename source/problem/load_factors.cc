@@ -206,6 +206,7 @@ namespace Biface
         for (const MotionByForce &motion : stages[i].motions_by_force)
           positions["bodies " + motion.name()] = 0;
       }
+    // 0 is the common factor; names are in alphabetic order
     unsigned int last = 0;
     for (auto &position : positions)
       position.second = ++last;
@@ -242,6 +243,7 @@ namespace Biface
         stage.set_factors(names);
         for (MotionByForce &motion : stage.motions_by_force)
           {
+            // the control finds this factor, which no stage prescribes
             motion.motion.factor = positions.at("bodies " + motion.name());
             stage.factors[motion.motion.factor].reset();
           }

@@ -281,6 +281,7 @@ namespace Biface
       std::find_if(stages.begin(), stages.end(), [](const Stage &stage) {
         return stage.n_modes > 0;
       });
+    // frequencies without a part of the mass would mean nothing
     if (stage == stages.end())
       return;
     for (const PlyParameters &ply : laminate.plies)
@@ -341,6 +342,7 @@ namespace Biface
       for (const MaterialParameters &material : materials)
         if (material.name == ply.material)
           {
+            // what conducts nothing cannot lose its heat
             if (!(material.of_ply().conductivity > 0))
               throw InputError(
                 "Material " + material.name + "/Thermal conductivity",

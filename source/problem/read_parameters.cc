@@ -409,6 +409,8 @@ namespace Biface
     void
     complete(const MPI_Comm communicator, Parameters &parameters)
     {
+      // stages of the test are stages like others, with load factors of their
+      // own
       parameters.add_tire_test();
       parameters.assign_load_factors();
       for (BodyParameters &body : parameters.bodies)
@@ -526,9 +528,12 @@ namespace Biface
                       has_friction || of_shape ? small_step : step);
           const std::array<double, 2> values{
             {change.value - size, change.value + size}};
+          // the difference of the numbers as they are rounded
           change.step = values[1] - values[0];
           for (unsigned int side = 0; side < 2; ++side)
             {
+              // all of the file is read again, so that whatever depends on the
+              // entry follows it, and is checked
               std::vector<Source> changed_sources = sources;
               for (const Override &setting :
                    settings({variable}, {values[side]}, declared, entry))
