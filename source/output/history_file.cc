@@ -97,6 +97,8 @@ namespace Biface
        [](const Step &step) -> Values {
          const StepReport     &report  = step.report;
          const ContactSummary &contact = report.contact;
+         // the pressure of the loads: in a sealed gas it follows from the
+         // volume
          return {report.level.travel,
                  contact.force,
                  contact.n_nodes,

@@ -175,6 +175,8 @@ namespace Biface
     // forces that cancel have moments, and the other way around
     largest_force      = std::max(largest_force, largest_moment / mesh.size());
     result.nodal_loads = (*report.forces)[ForceTerm::Source::loads].l1_norm();
+    // where nothing reacts, as under loads that cancel, round-off is relative
+    // to the loads themselves
     if (largest_force < round_off * result.nodal_loads)
       largest_force = result.nodal_loads;
     largest_moment  = std::max(largest_moment, largest_force * mesh.size());

@@ -42,6 +42,7 @@ namespace Biface
         std::string place = kind;
         for (const std::string &word : split_words(point_or_edge))
           place += " " + word;
+        // several loads at a place are told apart by their order in the file
         const unsigned int number = ++numbers[place];
         items.push_back(
           {{kind, place, place + " " + std::to_string(number)}, &factor});

@@ -167,6 +167,8 @@ namespace Biface
       const std::vector<ParameterLine> lines = scan_parameter_text(source.text);
       for (unsigned int number = 1; number < lines.size(); ++number)
         {
+          // deal.II would only say that there is no such section, not what to
+          // change
           const ParameterLine &line = lines[number];
           if (line.keyword != "subsection" || !line.section.empty())
             continue;
@@ -372,6 +374,8 @@ namespace Biface
                   .string();
               const std::string plies =
                 plies_of_csv(read_file(path, communicator), path);
+              // the name of the file is unset, so that the written parameters
+              // have the plies alone
               Source source{path,
                             "subsection Laminate\n  set Plies = " + plies +
                               "\n  set Plies file =\nend\n"};

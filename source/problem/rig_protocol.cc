@@ -328,6 +328,7 @@ namespace Biface
         point.slip_angle        = 0;
         point.control           = ControlKind::ground_force_and_axle_moment;
         const unsigned int free = add(from, point);
+        // slip ratios count from free rolling at the same load and slip angle
         add_slip_ratios(free, 0);
         for (const double side : {1., -1.})
           {

@@ -30,6 +30,8 @@ namespace Biface
     std::optional<EasierLaws>
     easier_laws(const ContactLaws &given, const double speed)
     {
+      // little friction hardly acts back on the footprint, and with a large
+      // critical velocity it is nearly linear in the slip velocity
       if (given.kind_of_friction() == FrictionKind::by_bristles)
         return EasierLaws{
           16,

@@ -77,6 +77,7 @@ namespace Biface
                            const Instant   &to,
                            State           &state) const
   {
+    // without coarser meshes
     if (states.empty())
       return false;
     // The change on the coarser mesh is added, instead of taking its state: the

@@ -44,6 +44,8 @@ namespace Biface
   RollingReport::add_heat(const StageRun &run, StepReport &report)
   {
     const RollingSummary &rolling = *report.rolling;
+    // what relaxes is the power of axle and ground less friction, but for an
+    // error of the mesh, section 10
     if (rolling.hysteresis->of_relaxation > 0 &&
         std::abs(rolling.mismatch) > 0.1 * rolling.hysteresis_power)
       out << "  Warning: axle and ground have "

@@ -137,6 +137,8 @@ namespace Biface
                        number_to_string(force),
                        "it needs 'Control = foundation force' or "
                        "'foundation force and axle moment'");
+    // there the one unknown scales all loads, and the factor of a motion would
+    // be another
     if (!forces_on_bodies.empty() && (control == ControlKind::displacement ||
                                       control == ControlKind::arc_length))
       throw InputError(section + "/Forces on bodies",

@@ -19,6 +19,7 @@ namespace Biface
     NamedFactors factors;
     for (const auto &[name, factor] : split_named_list(entry, text, form))
       {
+        // without a number, the factor stays as at the start of the stage
         factors.emplace_back(name, std::nullopt);
         if (factor != "unchanged")
           factors.back().second = parse_number(entry, factor, form);

@@ -189,6 +189,8 @@ namespace Biface
                         slip_angle),
                       level);
         loads.place(0, {ground, at_level(level, 0, laws)});
+        // the ground moves under a wheel that stands in the frame of the axle,
+        // section 10
         if (loads.rolling)
           loads.rolling->ground = GroundMotion::under_wheel(
             ground, level.ground_velocity, slip_angle);

@@ -81,6 +81,7 @@ namespace Biface
         if (pair.get() == &run.contact.ground() ||
             warned_of_large_cells.count(pair->name) > 0 || !pair->body(loads))
           continue;
+        // points in contact cannot see what lies between them
         const auto deepest =
           penetration_between_points(*pair, run.state, loads);
         if (deepest.relative <= remarkable)

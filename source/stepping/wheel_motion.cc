@@ -47,6 +47,7 @@ namespace Biface
                     const LoadLevel             &end,
                     const std::optional<double> &before)
   {
+    // slip ratios of all later stages refer to the last free rolling
     return ended.ends_free_rolling() ? free_rolling_radius(end) : before;
   }
 
