@@ -101,6 +101,7 @@ namespace Biface
         directory, communicator, parameters.units);
       for (const std::string &file : parameters.input_files())
         results_directory.keep(file);
+      // of an earlier run, whose results are about to be removed
       if (checkpoint == nullptr)
         remove_checkpoints(directory, communicator);
       ResultsWriter results(parameters.output,
@@ -141,6 +142,7 @@ namespace Biface
         },
         results,
         checkpoint != nullptr);
+      // a run that is stopped in its first step can be continued, too
       checkpoints.write(record);
       ResultsCheck             check(equations, simulation.get_contact());
       const StepCounter        counter(parameters, progress);
@@ -150,6 +152,7 @@ namespace Biface
           out << counter.line(report, progress) << std::endl;
           for (const std::string &warning : check.add(report, state))
             out << "  " << warning << std::endl;
+          // before the checkpoint, which counts on the files of its steps
           results.write_step(report, state);
           const unsigned int stage = report.instant.stage;
           if (rig_table.is_point(stage) && progress.at_end_of(stage))

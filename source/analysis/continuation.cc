@@ -64,6 +64,7 @@ namespace Biface
     {
       if (a == b)
         return true;
+      // 1e3 and 1000 are the same number
       char        *end_a = nullptr, *end_b = nullptr;
       const double x = std::strtod(a.c_str(), &end_a);
       const double y = std::strtod(b.c_str(), &end_b);
@@ -169,6 +170,7 @@ namespace Biface
     std::map<std::string, std::string> values;
     for (const auto &entry : entries_of(before))
       values.insert(entry);
+    // what perturbed runs went through cannot be changed afterward
     const auto derivatives = values.find("Sensitivities/Entries");
     const bool with_derivatives =
       derivatives != values.end() && !derivatives->second.empty();
@@ -209,6 +211,7 @@ namespace Biface
 
     for (const auto &file : files_now)
       {
+        // what they contain counts, not the text of the entry alone
         const auto old = files_before.find(file.first);
         if (old == files_before.end() || old->second != file.second)
           throw InputError("the file of the entry " + in_quotes(file.first) +

@@ -58,6 +58,7 @@ namespace Biface
         steps.of_stages.push_back(stage.n_steps);
         iterations.of_stages.push_back(stage.n_steps *
                                        expected_iterations(parameters, stage));
+        // arc length finds the number of its steps on the way
         if (!make_control(stage)->has_equal_steps())
           predictable = false;
       }
@@ -172,6 +173,7 @@ namespace Biface
     // as reported by Linux
     Utilities::System::MemoryStats stats{};
     Utilities::System::get_memory_stats(stats);
+    // the sum of the peaks of all ranks, which need not come at once
     const double kilobytes =
       Utilities::MPI::sum(static_cast<double>(stats.VmHWM),
                           simulation.get_equations().mesh.communicator);

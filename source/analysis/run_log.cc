@@ -24,6 +24,7 @@ namespace Biface
       return;
     opened = true;
     errno  = 0;
+    // what was printed before the directory existed comes first
     file.open(file_name, append ? std::ios::app : std::ios::trunc);
     if (file)
       file << waiting;

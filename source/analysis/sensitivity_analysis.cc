@@ -46,6 +46,7 @@ namespace Biface
         same = mesh.nodes[n].dofs == changed.nodes[n].dofs &&
                mesh.nodes[n].number == changed.nodes[n].number &&
                mesh.nodes[n].face_is_free == changed.nodes[n].face_is_free;
+      // all ranks refuse or none, wherever the nodes differ
       if (Utilities::MPI::min(static_cast<unsigned int>(same),
                               mesh.communicator) == 0)
         throw InputError("Sensitivities/Entries",
@@ -124,6 +125,7 @@ namespace Biface
       sum += forces[ForceTerm::Source::loads];
       for (const auto &[name, of_body] : forces.of_bodies)
         sum += of_body;
+      // forces on constrained unknowns act on those that they follow
       mesh.condense(sum);
       ActiveSet balanced(mesh.nodes.size(), 0);
       for (const auto &pair : model.contact.pairs)
@@ -136,6 +138,8 @@ namespace Biface
           for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
             if (mesh.nodes[n].locally_owned && !balanced[n] && in_contact[n])
               {
+                // what is missing at a node is balanced once, by one of the
+                // bodies that it touches
                 balanced[n] = 1;
                 for (const auto dof : mesh.nodes[n].dofs)
                   if (!mesh.constraints.is_constrained(dof))
@@ -313,6 +317,7 @@ namespace Biface
       {
         PerturbedRun &perturbed = *perturbed_runs[i];
         perturbed.restore(points.runs[i].last);
+        // checkpoints do not contain them
         perturbed.model.equations.internal_forces().settle_resultants(
           perturbed.state);
         perturbed.ends = points.runs[i].ends;
@@ -331,6 +336,8 @@ namespace Biface
     if (before)
       {
         const unsigned int last = stage - 1;
+        // the end of the stage before, as LoadStepping::run() keeps that of the
+        // run
         if (is_branched_from(parameters.stages, last) &&
             lost_stages.count(last) == 0)
           for (const auto &perturbed : followers(last))
@@ -339,6 +346,8 @@ namespace Biface
               end.progress.control = Control::Memory();
               perturbed->ends.insert_or_assign(last, std::move(end));
             }
+        // without a state at the start, nothing can be followed, and what
+        // starts from here is lost, too
         if (lost_stages.count(*before) > 0)
           {
             lost_stages.insert(stage);
@@ -395,6 +404,8 @@ namespace Biface
       , linear_solver(linear_solver)
       , low_rank(model.equations, step.state, step.loads)
     {
+      // assembled for the converged state, whose active set it holds, section
+      // 11
       ShellEquations &equations = model.equations;
       equations.assemble(step.state, step.loads);
       check(linear_solver.factorize_for_many(
@@ -411,6 +422,7 @@ namespace Biface
       if (step.trial.equations && !failure)
         {
           std::vector<LA::Vector> directions;
+          // the load parameters are further unknowns, as in section 7
           for (const LoadRates &rates : step.trial.equations->rates)
             directions.push_back(
               equations.load_direction(step.state, step.loads, rates));
@@ -467,6 +479,7 @@ namespace Biface
               still_inexact.push_back(inexact[i]);
               still_left.push_back(left[i]);
             }
+          // only what is not exact enough is solved for once more
           inexact = still_inexact;
           left    = still_left;
         }
@@ -510,6 +523,7 @@ namespace Biface
       perturbed.run->time_step_to(perturbed.trial.level(step.mu));
     for (unsigned int i = 0; i < state.contacts.size(); ++i)
       {
+        // the active set of the run is held, section 11
         state.contacts[i].active   = step.state.contacts[i].active;
         state.contacts[i].statuses = step.state.contacts[i].statuses;
       }
@@ -548,6 +562,8 @@ namespace Biface
         add(mu_since, -1, perturbed.balanced.mu);
         change = perturbed.trial.equations->change_of_loads(mu_since);
       }
+    // pressures change linearly from there on, section 11: in their difference
+    // the round-off of positions cancels
     const auto contact_before = perturbed.model.contact.linearize(
       state,
       perturbed.run->loads_at(perturbed.trial.level(balanced_mu)),
@@ -612,6 +628,7 @@ namespace Biface
       return;
     TimerOutput::Scope scope(timer, "Sensitivities");
 
+    // the histories at the start of the step are read until it is committed
     for (const auto &perturbed : perturbed_runs)
       {
         perturbed->before       = perturbed->state;
@@ -655,12 +672,15 @@ namespace Biface
                                const LoadParameters          &missing_in_run,
                                PerturbedRun                  &perturbed) const
   {
+    // the forces were evaluated before this correction
     perturbed.balanced = perturbed.deviation;
     perturbed.deviation.displacements += correction;
     move(step, perturbed);
     if (!step.trial.equations)
       return;
 
+    // the loads change until the controlled quantity is missed by no more than
+    // in the run
     LoadParameters further = missing_loads(step, per_parameter, perturbed);
     add(further, -1, missing_in_run);
     add(perturbed.deviation.mu, 1, further);
@@ -673,6 +693,7 @@ namespace Biface
   bool
   SensitivityAnalysis::is_near(const unsigned int e) const
   {
+    // beyond the size of the shell, or not a number, this is no small change
     for (unsigned int side = 0; side < 2; ++side)
       if (!(perturbed_runs[2 * e + side]
               ->deviation.displacements.linfty_norm() < model.mesh->size()))
@@ -709,6 +730,8 @@ namespace Biface
   void
   SensitivityAnalysis::make_opposite(const Step &step, const unsigned int e)
   {
+    // where all is linear, the mean of both sides is only round-off: half of
+    // their difference remains, with either sign
     PerturbedRun &below           = *perturbed_runs[2 * e],
                  &above           = *perturbed_runs[2 * e + 1];
     PerturbedRun::Deviation &half = above.deviation;
@@ -758,6 +781,7 @@ namespace Biface
                                   step.trial.equations->remedies()};
         return;
       }
+    // both sides of each entry, as far as no earlier stage has lost it
     std::vector<unsigned int> followed;
     for (unsigned int e = 0; e < parameters.sensitivities.changes.size(); ++e)
       if (follows(e, step.run.progress.stage))
@@ -779,6 +803,7 @@ namespace Biface
           for (unsigned int side = 0; side < 2; ++side)
             forces.push_back(
               unbalance(step, here.forces, *perturbed_runs[2 * e + side]));
+        // all entries at once, with the same factors
         const std::vector<LA::Vector> corrections = tangent.solve(forces);
         if (tangent.failure)
           return;
@@ -820,6 +845,7 @@ namespace Biface
           perturbed.progress.reached = perturbed.level;
           perturbed.model.equations.internal_forces().settle_resultants(
             perturbed.state);
+          // results and the next steps read the histories that follow from here
           perturbed.model.equations.commit_step(
             perturbed.before, perturbed.loads, step.time, perturbed.state);
         }
@@ -831,6 +857,7 @@ namespace Biface
   {
     InUse in_use            = step.run.stage.in_use(step.run.progress.stage);
     in_use.iterative_solver = parameters.linear_solver.is_iterative();
+    // no state between two steps must remain
     for (const auto &perturbed : perturbed_runs)
       perturbed->state = perturbed->before;
     lost_stages.insert(step.run.progress.stage);

@@ -36,6 +36,8 @@ namespace Biface
     noted = 0;
     for (unsigned int i = 0; i < watched.size(); ++i)
       {
+        // ignored, the limit of the size of a file is an error of the system
+        // call that exceeds it, with a reason
         const bool       ignore = (watched[i] == SIGXFSZ);
         struct sigaction action = {};
         action.sa_handler       = (ignore ? SIG_IGN : biface_note_signal);
@@ -57,6 +59,7 @@ namespace Biface
   int
   SignalWatch::caught(const MPI_Comm communicator) const
   {
+    // ranks may see a signal at different times, but must stop at the same one
     return dealii::Utilities::MPI::max(static_cast<int>(noted), communicator);
   }
 

@@ -94,6 +94,8 @@ namespace Biface
                                ", a quarter of the unknowns of the mesh");
       }
 
+    // the run starts with the coarsest mesh; what it cannot have is refused
+    // here
     ChartGrid grid = mesh->grid;
     for (unsigned int i = 0; i < parameters.mesh.n_coarse; ++i)
       {
@@ -118,6 +120,7 @@ namespace Biface
   ChartGrid
   Simulation::coarser_grid(const ChartGrid &grid) const
   {
+    // both meshes need the nodes of named points and the lines where plies end
     std::array<std::vector<double>, 2> kept;
     for (const NamedPoint &point : mesh->points)
       for (unsigned int a = 0; a < 2; ++a)
@@ -136,6 +139,7 @@ namespace Biface
       return nullptr;
     TimerOutput::Scope scope(timer, "Coarser meshes");
 
+    // a coarser run begins with a still coarser one, and only its steps count
     Parameters coarse_parameters = parameters;
     --coarse_parameters.mesh.n_coarse;
     for (Stage &stage : coarse_parameters.stages)
@@ -220,6 +224,7 @@ namespace Biface
     for (unsigned int i = 0; i < record.differences.size(); ++i)
       {
         const auto &change = parameters.sensitivities.changes.at(i);
+        // the perturbed runs of the checkpoint went with this step
         if (change.step != record.differences[i])
           throw InputError("Sensitivities/Entries",
                            change.name,

@@ -25,6 +25,7 @@ namespace Biface
       }
     catch (const InputError &)
       {
+        // without an operator it is a faulty number, not a formula
         if (text.find_first_of("+-*/^(") == std::string::npos)
           throw;
         number = Formula(entry, text, std::vector<std::string>())({});

@@ -45,6 +45,7 @@ namespace Biface
   bool
   Unit::is_physical() const
   {
+    // degrees have a size of their own, whatever units a file has
     return kind == Kind::several || (kind == Kind::common && name != "degrees");
   }
 
@@ -93,6 +94,7 @@ namespace Biface
   EntryAttributes
   operator|(const EntryAttributes &a, const EntryAttributes &b)
   {
+    // what an entry says counts before what its section says
     EntryAttributes result = a;
     if (!result.unit.is_said())
       result.unit = b.unit;
@@ -130,6 +132,8 @@ namespace Biface
   RestartChange
   EntryAttributes::get_restart_change() const
   {
+    // earlier steps belong to the problem as it was, but not to the way in
+    // which it is solved or written
     return restart_change.value_or(
       describes_the_problem() ? RestartChange::never : RestartChange::always);
   }
@@ -198,6 +202,7 @@ namespace Biface
                             const std::string     &documentation,
                             const EntryAttributes &attributes)
   {
+    // what neither the entry nor its section says has defaults
     const EntryAttributes all = attributes | sections.back().attributes;
     attributes_by_entry[full_name(name)] = all;
     const std::string sentence           = all.get_unit().sentence();

@@ -25,6 +25,7 @@ namespace Biface
     static double *
     add_variable(const char *name, void *parser)
     {
+      // values of a map stay where they are when others are added
       return &static_cast<Parser *>(parser)->values[name];
     }
 
@@ -154,6 +155,7 @@ namespace Biface
         p.SetExpr(text);
         int n_values = 0;
         p.Eval(n_values);
+        // a list of several formulas
         if (n_values != 1)
           throw InputError(entry, text, allowed);
       }
@@ -235,6 +237,7 @@ namespace Biface
   Formula::operator()(const std::vector<double> &values) const
   {
     const double result = unchecked(values);
+    // also what is not a number, which has no order
     if (!(std::abs(result) <= maximum_number))
       {
         // write round-off as 0

@@ -58,6 +58,8 @@ namespace Biface
     std::sort(points.begin(), points.end(), [](const auto &a, const auto &b) {
       return a[0] < b[0] || (a[0] == b[0] && a[1] < b[1]);
     });
+    // with all points in order, the first deviation from the full grid tells
+    // which one is missing
     const unsigned int n = rows[0].size(), m = rows[1].size();
     const auto         at = [&](const double u, const double v) {
       return "at " + columns[0] + " = " + number_to_string(u) + ", " +

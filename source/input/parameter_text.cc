@@ -100,6 +100,8 @@ namespace Biface
     for (std::string physical; std::getline(lines, physical);)
       {
         const FileLine line(physical);
+        // empty lines take the place of joined ones, so that messages have the
+        // numbers of the lines in the file
         result.emplace_back();
         if (line.is_comment)
           continue;
@@ -128,6 +130,7 @@ namespace Biface
   std::vector<ParameterLine>
   scan_parameter_text(const std::string &text)
   {
+    // lines are counted from 1
     std::vector<ParameterLine> result(1);
     std::string                section;
     unsigned int               depth = 0;
@@ -203,6 +206,7 @@ namespace Biface
                            " nested sections are not allowed.");
         if (line.keyword != "set")
           continue;
+        // the last setting would count, without a word
         const auto entry = line_of_entry.emplace(name, number);
         if (!entry.second)
           throw InputError(where + "the entry " + quoted(name) +
@@ -287,6 +291,7 @@ namespace Biface
     unsigned int
     edit_distance(const std::string &a, const std::string &b)
     {
+      // one row of Levenshtein's table at a time
       std::vector<unsigned int> row(b.size() + 1);
       std::iota(row.begin(), row.end(), 0);
       for (unsigned int i = 0; i < a.size(); ++i)
@@ -400,6 +405,8 @@ namespace Biface
                      const std::string      &text,
                      const ParameterHandler &prm)
   {
+    // the messages of deal.II are about its source; what the user needs is the
+    // entry, its line and what is allowed
     std::ostringstream stream;
     exception.print_info(stream);
     // regular expressions are recursive: avoid very long lines
@@ -470,6 +477,7 @@ namespace Biface
       }
     catch (const InputError &error)
       {
+        // the action of an entry knows its name, but not the line
         throw InputError(parameter_place(source, text, error.get_entry()) +
                          error.what());
       }

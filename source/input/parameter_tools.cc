@@ -39,6 +39,7 @@ namespace Biface
                  const double       value,
                  const double       minimum)
   {
+    // also refuses what is not a number
     if (!(value >= minimum))
       throw InputError(entry,
                        number_to_string(value),
@@ -138,6 +139,7 @@ namespace Biface
                const std::string &text,
                const std::string &allowed)
   {
+    // from_chars() does not depend on the locale, and knows no plus sign
     std::string trimmed = dealii::Utilities::trim(text);
     if (trimmed.size() > 1 && trimmed[0] == '+' && trimmed[1] != '-')
       trimmed.erase(0, 1);
@@ -175,6 +177,7 @@ namespace Biface
         if (!(n >= 2 && n <= limit) || n != std::floor(n))
           throw InputError(entry, text, allowed);
         for (unsigned int i = 0; i < n; ++i)
+          // the last one without round-off
           values.push_back(i + 1 == n ? numbers[1]
                                       : numbers[0] + (numbers[1] - numbers[0]) *
                                                        i / (n - 1));
@@ -208,6 +211,7 @@ namespace Biface
           quotes = !quotes;
         else if (!quotes)
           depth += (c == '(') - (c == ')');
+        // separators in parentheses or quotes are part of an item
         if (c == separator && depth <= 0 && !quotes)
           {
             if (items.size() > limit)
@@ -272,6 +276,7 @@ namespace Biface
       {
         message = error.what();
       }
+    // ranks may find different faults or none: all throw that of the first one
     for (const std::string &text :
          dealii::Utilities::MPI::all_gather(communicator, message))
       if (!text.empty())

@@ -197,7 +197,9 @@ namespace Biface
     std::string text, reason;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       {
+        // one rank reads for all: others may see another file or none
         reason = read_bytes(file_name, text);
+        // the byte order mark that some programs write before UTF-8
         if (text.rfind("\xEF\xBB\xBF", 0) == 0)
           text.erase(0, 3);
         unify_line_ends(text);
@@ -250,6 +252,8 @@ namespace Biface
         CsvRows read = rows_in_style(lines, style, form);
         if (!read.error)
           return read.rows;
+        // the style that fits most lines is likely the one that is meant, and
+        // its message the one that helps
         if (read.n_lines > farthest.n_lines)
           farthest = std::move(read);
       }
@@ -307,6 +311,7 @@ namespace Biface
     for (std::size_t i = 1; i + 1 < text.size(); ++i)
       if (text[i] == '%')
         {
+          // %00 would end the name
           const std::string digits = text.substr(i + 1, 2);
           if (digits.size() < 2 ||
               digits.find_first_not_of("0123456789abcdefABCDEF") !=

@@ -24,6 +24,7 @@ namespace Biface
 
   AtomicFile::~AtomicFile()
   {
+    // what was not committed is incomplete
     if (file < 0)
       return;
     ::close(file);
@@ -38,6 +39,7 @@ namespace Biface
     std::size_t left = size;
     while (reason.empty() && left > 0)
       {
+        // less than asked may be written, and nothing where a signal came
         const ssize_t written = ::write(file, at, left);
         if (written > 0)
           {
@@ -66,6 +68,7 @@ namespace Biface
     // some file systems report only now that there is no space
     const int result = ::close(file);
     file             = -1;
+    // a reader finds the old file or the new one, never a part of it
     if (result != 0 || std::rename(temporary.c_str(), path.c_str()) != 0)
       {
         failed();

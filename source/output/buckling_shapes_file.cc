@@ -43,6 +43,8 @@ namespace Biface
       if (largest == 0)
         return 1;
 
+      // an eigenvector has either sign: by the numbers of nodes, it is the same
+      // on any number of ranks
       types::global_cell_index first =
         std::numeric_limits<types::global_cell_index>::max();
       double sign = 1;
@@ -78,6 +80,7 @@ namespace Biface
               rows.push_back({chart_coordinate(surface, node, 0),
                               chart_coordinate(surface, node, 1),
                               factor * shape(node.dof(2, MixedElement::mean))});
+              // the first line again after a full turn, where the chart ends
               if (mesh.grid.closed && node.grid_index[1] == 0)
                 {
                   rows.push_back(rows.back());

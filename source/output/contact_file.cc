@@ -47,6 +47,7 @@ namespace Biface
           {
             const Node &node = mesh.nodes[n];
             bool        near = false;
+            // with the nodes around the zone, whose clearances are small
             for (const unsigned int neighbor : mesh.neighbors[n])
               near = near || zone.active[neighbor];
             if (!node.locally_owned || !near)
@@ -57,6 +58,8 @@ namespace Biface
             const double       pressure = zone.pressure(n);
             const Tensor<1, 3> friction =
               contact_traction(zone, &body, n, x).friction;
+            // multipliers are per area of the middle surface; then per area of
+            // the face before and after the deformation
             const ThicknessMetric metric(node.surface.curvature,
                                          node.face_heights);
             const double          face_pressure =

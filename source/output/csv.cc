@@ -24,6 +24,7 @@ namespace Biface
   csv_number(const double value)
   {
     char text[32];
+    // zeros without sign, which round-off gives or not
     std::snprintf(text, sizeof(text), "%.12g", value == 0 ? 0. : value);
     return text;
   }
@@ -51,6 +52,7 @@ namespace Biface
       errno                = 0;
       std::ofstream file(path, std::ios::app);
       file << text << std::flush;
+      // what is buffered may find the disk full only here
       file.close();
       if (file)
         return "";
@@ -102,6 +104,7 @@ namespace Biface
       {
         AtomicFile file(path);
         file.write(text);
+        // piece by piece, so that the first rank never holds the whole file
         std::vector<char> buffer;
         for (unsigned int rank = 1; rank < n_ranks; ++rank)
           {
@@ -162,12 +165,14 @@ namespace Biface
     Rows all_rows;
     for (auto value = values.begin(); value != values.end(); value += n_columns)
       all_rows.emplace_back(value, value + n_columns);
+    // files must not depend on the partition
     std::sort(all_rows.begin(), all_rows.end());
 
     std::string text = header + "\n";
     for (const auto &row : all_rows)
       {
         for (unsigned int i = 0; i < row.size(); ++i)
+          // what means nothing at a place is an empty field
           text += (i > 0 ? "," : "") +
                   (std::isnan(row[i]) ? std::string() : csv_number(row[i]));
         text += "\n";

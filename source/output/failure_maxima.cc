@@ -65,6 +65,8 @@ namespace Biface
     if (criteria.empty())
       return {};
 
+    // first the maximum of each cell, of which all ranks find the largest; its
+    // place only where the cell is
     std::vector<std::vector<double>> of_cells(
       criteria.size(),
       std::vector<double>(mesh.cells.size(), CellMaximum::none));
@@ -104,6 +106,7 @@ namespace Biface
                 const PlyDescription        &ply,
                 const unsigned int           number,
                 const SymmetricTensor<2, 3> &stress) {
+              // the first place of those that differ by round-off
               if (place[2] != 0 ||
                   criteria[i].index(stress, *ply.material.strengths) <
                     largest->bound())

@@ -20,6 +20,8 @@ namespace Biface
   double
   force_per_stress(const Ply &ply, const double strain)
   {
+    // the stress is the second Piola-Kirchhoff one: the force per undeformed
+    // area is the stretch times it
     return ply.laws.rubber ? std::sqrt(1 + 2 * strain) : 1.;
   }
 

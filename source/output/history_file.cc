@@ -97,6 +97,8 @@ namespace Biface
        [](const Step &step) -> Values {
          const StepReport     &report  = step.report;
          const ContactSummary &contact = report.contact;
+         // the pressure of the loads: in a sealed gas it follows from the
+         // volume
          return {report.level.travel,
                  contact.force,
                  contact.n_nodes,
@@ -148,6 +150,7 @@ namespace Biface
           {columns, [](const Step &step) {
              Values values;
              for (const FailureMaximum &maximum : step.failure_maxima)
+               // no ply has strengths: empty fields, as the columns are there
                if (std::isnan(maximum.index))
                  values.resize(values.size() + 4);
                else
@@ -197,6 +200,7 @@ namespace Biface
       groups.push_back({{"loaded_radius", "wheel_turn", "inclination_angle"},
                         [](const Step &step) -> Values {
                           const auto &ground = step.report.loads->ground();
+                          // the axle passes through the origin
                           return {ground ? ground->clearance(Point<3>()) : 0.,
                                   step.report.level.wheel_turn,
                                   step.report.level.inclination_angle};

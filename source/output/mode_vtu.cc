@@ -41,6 +41,7 @@ namespace Biface
           for (unsigned int v = 0; v < 4; ++v)
             {
               const Node &node = mesh.nodes[cell.nodes[v]];
+              // modes are motions about the deformed shell
               patch.vertices[v] =
                 mesh.position_of_any_face(displacement, node, face);
               for (unsigned int part = 0; part < shape.size(); ++part)

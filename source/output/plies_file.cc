@@ -138,6 +138,8 @@ namespace Biface
                 height += ply.thickness;
               }
           }
+        // the cells around a point may belong to several ranks; strains jump
+        // between cells, and the file has their means
         Utilities::MPI::sum(sums, communicator, sums);
 
         for (unsigned int p = 0; p < all_plies.size(); ++p)

@@ -118,6 +118,8 @@ namespace Biface
     if (end == first + 1)
       return laminate(layer).interlaminar_stress(strains[0][vertex].E, ply, z);
 
+    // equilibrium is that of the whole wall, from face to face, whatever the
+    // strains of a layer are; its coefficients are the same all along a line
     std::vector<Tensor<1, 2>> shear_forces;
     for (unsigned int c = first; c < end; ++c)
       shear_forces.push_back(
@@ -146,6 +148,7 @@ namespace Biface
                      const Tensor<1, 2>   &interlaminar)
     : interlaminar(interlaminar)
   {
+    // initial stresses are given in the axes of the ply
     const std::vector<Ply> &plies = laminate.get_plies();
     const double            z     = height_in_laminate(laminate, ply, fraction);
     strain                        = laminate.strain(E, ply, z);
@@ -158,6 +161,7 @@ namespace Biface
   SymmetricTensor<2, 3>
   PlyState::failure_stress(const Ply &ply) const
   {
+    // at large strains strengths refer to the true stress
     return rotate_about_normal(
       ply.laws.rubber ? cauchy_stress(stress, strain) : stress, -ply.angle);
   }
@@ -229,6 +233,7 @@ namespace Biface
       rotate_about_normal(state.stress, -ply.angle);
     const SymmetricTensor<2, 3> strain =
       rotate_about_normal(state.strain, -ply.angle);
+    // shear strains are angles, twice the components of the tensor
     append(state.strain, 2);
     append(state.stress, 1);
     append(strain, 2);

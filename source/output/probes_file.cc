@@ -24,6 +24,7 @@ namespace Biface
     if (n != numbers::invalid_unsigned_int && mesh.nodes[n].locally_owned)
       for (unsigned int i = 0; i < n_faces; ++i)
         {
+          // the outermost faces first, then those between layers
           const unsigned int face = (i == 0 ? 0 : i == 1 ? n_faces - 1 : i - 1);
           const Node        &node = mesh.nodes[n];
           u.local[i]  = mesh.displacement_of_any_face(displacement, node, face);

@@ -46,6 +46,7 @@ namespace Biface
     const ShellMesh        &mesh    = equations.mesh;
     const ReferenceSurface &surface = mesh.get_surface();
 
+    // beyond the seam of a closed surface the line is as near as before it
     const double period   = surface.get_periodicity()[1];
     const auto   distance = [&](const Node &node) {
       const double d =
@@ -79,6 +80,8 @@ namespace Biface
                 return mesh.nodes[n].alpha[1] == line;
               }))
           continue;
+        // strains belong to the vertices of cells and differ between the cells
+        // around a node
         const auto E =
           equations.internal_forces().strains_at_vertices(state, c);
         for (unsigned int v = 0; v < 4; ++v)
@@ -110,6 +113,7 @@ namespace Biface
                     const StrainsOfPlies &E) {
                   for (unsigned int p = 0; p < laminate.get_plies().size(); ++p)
                     {
+                      // parts of a ply in several layers add up to one ply
                       const Ply &ply = laminate.get_plies()[p];
                       double    *sum =
                         &sums[2 * (node.grid_index[0] * n_plies + ply.number)];
@@ -154,6 +158,8 @@ namespace Biface
                   };
                   if (layer + 1 == mesh.n_layers())
                     add(Resultants::outer, sum + 1);
+                  // each wall has one innermost layer, by which it is counted
+                  // once
                   if (layer == 0)
                     {
                       add(Resultants::inner, sum + 1 + 2 * n);
@@ -204,6 +210,7 @@ namespace Biface
               }
             height += ply.thickness;
           }
+        // without fibers, the middle of the wall
         sum += bottom + (high > 0 ? (low + high) / 2 : height / 2);
         n_sides += 1;
       }

@@ -51,6 +51,8 @@ namespace Biface
                        "it has ended, or choose another directory";
           }
       }
+    // all ranks throw or none: those left would wait in the next collective
+    // call
     reason = Utilities::MPI::broadcast(communicator, reason);
     if (!reason.empty())
       {
@@ -96,6 +98,7 @@ namespace Biface
             !(match.size() > 1 && match[1].matched &&
               std::strtoul(match[1].str().c_str(), nullptr, 10) > *last_step))
           continue;
+        // input files are kept, under whatever path they were given
         if (std::none_of(
               kept.begin(), kept.end(), [&](const std::string &path) {
                 return fs::equivalent(path, entry->path(), failed);
@@ -108,6 +111,7 @@ namespace Biface
   void
   ResultsDirectory::refuse_input(const std::string &names) const
   {
+    // refused before the first result: later, the input would be lost
     std::string found;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       for (const std::string &path : kept)
@@ -138,6 +142,7 @@ namespace Biface
   void
   ResultsDirectory::sync()
   {
+    // what a checkpoint counts on must outlive a crash of the machine
     std::pair<std::string, std::string> file_and_reason;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       for (const std::string &file : unsynced)
@@ -176,6 +181,7 @@ namespace Biface
   ResultFile::resume(const std::vector<unsigned int> &steps)
   {
     this->steps = steps;
+    // files of later steps would be taken for results of the continued run
     directory.remove(names_of_files(), steps.empty() ? 0 : steps.back());
     cut_back();
   }
@@ -268,6 +274,7 @@ namespace Biface
   {
     if (lines_per_step > 0)
       return lines_per_step;
+    // a table whose steps differ in length has it in its second column
     const auto comma = line.find(',');
     return comma == std::string::npos
              ? 0
@@ -287,6 +294,8 @@ namespace Biface
                    const Node             &node,
                    const unsigned int      a)
   {
+    // without the round-off of the unit, so that rows of several files with the
+    // same coordinates can be joined
     return std::round(node.alpha[a] / surface.coordinate_unit(a) * 1e9) / 1e9;
   }
 } // namespace Biface

@@ -68,6 +68,7 @@ namespace Biface
       for (const Cell &cell : mesh.wall_elements())
         for (unsigned int q = 0; q < 4; ++q)
           for (unsigned int a = 0; a < 2; ++a)
+            // the trace of a rotation is 1 plus twice the cosine of its angle
             cosine =
               std::min(cosine,
                        (trace(transpose(cell.geometry.vertices[q].axes) *
@@ -107,6 +108,7 @@ namespace Biface
           points.interpolate(point, [](const Node &node) {
             return node.face_heights[1] - node.face_heights[0];
           });
+        // a pressure is the stiffness times the penetration, section 6
         const Penetration here{
           state.ground().pressure(point) /
             placed->laws.condition().penalty_stiffness(),
@@ -117,6 +119,7 @@ namespace Biface
     const MPI_Comm communicator = equations.mesh.communicator;
     const auto     rank =
       Utilities::MPI::min_max_avg(largest.relative(), communicator).max_index;
+    // depth and thickness must be those of the same point
     largest.depth =
       Utilities::MPI::broadcast(communicator, largest.depth, rank);
     largest.thickness =
@@ -138,6 +141,7 @@ namespace Biface
         for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
           if (in_contact[n])
             active[mesh.nodes[n].grid_index[a]] = 1;
+        // a line may be in contact on one rank and not on another
         Utilities::MPI::max(active, mesh.communicator, active);
         n_lines[a] = std::count(active.begin(), active.end(), 1U);
       }
@@ -159,6 +163,8 @@ namespace Biface
         moment += item.moment;
         largest_force  = std::max(largest_force, size);
         largest_moment = std::max(largest_moment, item.moment.norm());
+        // only supports and bodies react; initial stresses and the error of
+        // interpolation are neither loads nor reactions
         if (item.body == "interpolation")
           result.interpolation = size;
         else if (item.body == "loads")
@@ -169,6 +175,8 @@ namespace Biface
     // forces that cancel have moments, and the other way around
     largest_force      = std::max(largest_force, largest_moment / mesh.size());
     result.nodal_loads = (*report.forces)[ForceTerm::Source::loads].l1_norm();
+    // where nothing reacts, as under loads that cancel, round-off is relative
+    // to the loads themselves
     if (largest_force < round_off * result.nodal_loads)
       largest_force = result.nodal_loads;
     largest_moment  = std::max(largest_moment, largest_force * mesh.size());
@@ -264,6 +272,8 @@ namespace Biface
     std::string    text   = "Check: ";
     if (at.in_contact)
       {
+        // a membrane would carry the ground by its pressure alone; the rest is
+        // the stiffness of the wall
         const double      carried = at.pressure * at.footprint_area;
         const std::string height  = contact.ground().tread.height
                                       ? " of the height of the tread, "

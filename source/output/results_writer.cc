@@ -80,6 +80,7 @@ namespace Biface
     add(std::make_unique<PliesVtu>(
       parameters.plies_vtu, parameters.criteria, directory, equations));
 
+    // before anything is removed
     for (const auto &file : files)
       if (file->is_wanted())
         directory.refuse_input(file->names_of_files());

@@ -84,6 +84,7 @@ namespace Biface
     if (points.size() + failures.size() == n_written)
       return;
     n_written = points.size() + failures.size();
+    // all of it again: a row, also of a failure, has its place in the test
     std::map<unsigned int, std::string> rows;
     for (const auto &[position, point] : points)
       rows[position] = row(position, &point, "ok");
@@ -101,6 +102,8 @@ namespace Biface
                 const RigPoint    *point,
                 const std::string &status) const
   {
+    // the y axis points to the right in SAE and to the left otherwise, and z
+    // goes with it; x is forward in all
     const Stage       &stage   = stages[position];
     const double       nan     = std::numeric_limits<double>::quiet_NaN();
     const double       left    = axes == RigAxes::SAE ? -1 : 1;
@@ -117,6 +120,7 @@ namespace Biface
                        incline * stage.inclination_angle.value_or(nan),
                        angle * stage.slip_angle.value_or(nan),
                        stage.slip_ratio.value_or(0)});
+        // no results, and no iterations
         values.resize(values.size() + 14, nan);
         values.push_back(0);
       }

@@ -76,6 +76,7 @@ namespace Biface
     Known known{cavity != nullptr,
                 numbers::invalid_unsigned_int,
                 numbers::invalid_unsigned_int};
+    // a result must exist at the ends of all of them
     for (const Stage &stage : stages)
       {
         known.n_modes    = std::min(known.n_modes, stage.n_modes);
@@ -148,6 +149,7 @@ namespace Biface
         source.component        = *component;
         std::string       point = rest;
         const std::string face  = take_last_word(point);
+        // a point may itself have the name of a face
         if (!point.empty() && position_of(face, {"inner", "outer", "middle"}))
           {
             source.inner = (face == "inner" ? 1 : face == "outer" ? 0 : 0.5);

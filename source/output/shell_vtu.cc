@@ -93,6 +93,7 @@ namespace Biface
                 double       pressure = 0;
                 bool         active = false, slipping = false;
                 Tensor<1, 3> friction;
+                // between layers, nothing touches
                 if (is_face)
                   for (const auto &[number, body] : loads.bodies)
                     if (body.face == (is_outer ? outer : inner))

@@ -78,6 +78,7 @@ namespace Biface
     const StiffnessAgainstGround &tangent   = stiffness.tangent;
     const Tensor<1, 3>           &outward = report.loads->ground()->direction();
 
+    // the ground pushes inward: compressive forces are positive
     append(std::to_string(report.step) + ',' + report.stage + ',' +
            csv_number(loaded.level.pressure) + ',' +
            csv_number(-(loaded.force * outward)) + ',' +

@@ -108,6 +108,7 @@ namespace Biface
           });
     for (unsigned int p = 0; p < points.size() && n_columns < max_columns; ++p)
       {
+        // a line has room for one component of a point: the largest at the end
         const std::vector<double> &last    = lines.back().displacements;
         unsigned int               largest = 3 * p;
         for (unsigned int i = 3 * p; i < 3 * p + 3; ++i)

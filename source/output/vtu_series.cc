@@ -94,6 +94,8 @@ namespace Biface
     flags.compression_level = DataOutBase::VtkFlags::best_speed;
     patches.set_flags(flags);
 
+    // one file for all ranks: only the first one has its head, only the last
+    // one its end
     std::ostringstream stream;
     patches.write_vtu(stream);
     std::string       text    = stream.str();

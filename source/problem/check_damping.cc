@@ -48,6 +48,8 @@ namespace Biface
       {
         const Stage      &stage   = stages[i];
         const std::string section = "Stage " + std::to_string(i + 1);
+        // forces of dashpots remain at the end of the stage before, and vanish
+        // only in the first step of this one
         if (const auto before = stage_before(stages, i);
             before && stages[*before].damping > 0)
           check_start_from_damped(stage, section);

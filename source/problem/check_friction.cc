@@ -118,6 +118,7 @@ namespace Biface
         // friction with history makes no more demands
         if (!rolling[i])
           continue;
+        // no particle of a wheel that rolls stays in the footprint
         if (stage.laws.glued)
           throw InputError(section + "/Glued",
                            "true",
@@ -138,6 +139,8 @@ namespace Biface
                            "it must be positive for the friction of the wheel "
                            "that rolls in stage " +
                              std::to_string(i + 1));
+        // tractions of neighbors would couple nodes for which the tangent has
+        // no entries, section 10
         if (contact.condition.mortar_matrix != MortarMatrix::lumped)
           throw InputError("Contact/Multiplier mass",
                            "consistent",

@@ -60,6 +60,7 @@ namespace Biface
           refuse("it needs 'Surface/Type = surface of revolution'");
         if (!pressure.is_uniform())
           refuse("it needs 'Pressure distribution = 1'");
+        // the area of a plate is that of the undeformed edge, section 5
         for (const Edge edge : pressure.end_plates)
           if (!holds_radius(supports.edges[static_cast<unsigned int>(edge)]))
             refuse("the plate needs a support of its edge in the section "

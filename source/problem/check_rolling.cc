@@ -40,6 +40,7 @@ namespace Biface
                             ? Velocity()
                             : at_its_end(stage.angular_velocity, turning));
         moving.push_back(at_its_end(stage.ground_velocity, moving));
+        // a velocity that is computed may be anything but zero
         const bool stops =
           turning.back().value_or(1) == 0 && moving.back().value_or(1) == 0;
         rolling.push_back(begins || rolled);
@@ -75,6 +76,7 @@ namespace Biface
       if (stage.prescribes_axle_moment())
         refuse("it must be 'none' with 'Control = " + stage.control_name() +
                "'");
+      // along the way to the stage, not in the order of the file
       auto free = stage_before(stages, i);
       while (free && !stages[*free].ends_free_rolling())
         free = stage_before(stages, *free);

@@ -71,6 +71,7 @@ namespace Biface
       skip_digits();
       if (at < text.size() && (text[at] == 'e' || text[at] == 'E'))
         {
+          // an e without digits begins a word, such as a unit
           std::size_t digits = at + 1;
           if (digits < text.size() &&
               (text[digits] == '+' || text[digits] == '-'))
@@ -101,6 +102,7 @@ namespace Biface
           const char c = text[at];
           if (c == '"')
             {
+              // what is quoted is a name, whatever digits it contains
               const std::size_t end = text.find('"', at + 1);
               if (end == std::string::npos)
                 return result;
@@ -110,6 +112,8 @@ namespace Biface
             }
           else if (is_word(c))
             {
+              // a word that begins with digits but goes on with letters is no
+              // number
               std::size_t       end    = at;
               const bool        number = is_digit(c) || c == '.';
               const std::size_t number_end =
@@ -299,6 +303,7 @@ namespace Biface
       }
     if (factor)
       return 1;
+    // one value stands for all of them, whose signs are in the names
     for (const double other : values)
       if (std::abs(other - values[0]) > 1e-12 * std::abs(values[0]))
         throw InputError(where,
@@ -313,6 +318,7 @@ namespace Biface
   std::string
   exact_number(const double value)
   {
+    // the shortest text that is read as the same number again
     std::array<char, 32> text;
     const auto           end =
       std::to_chars(text.data(), text.data() + text.size(), value);
@@ -357,6 +363,7 @@ namespace Biface
         {
           Change &change =
             changes[number.entry][variables[i].find(number, declared)];
+          // a variable may scale what another one sets; two must not set it
           if (variables[i].factor)
             change.factor *= values[i];
           else if (change.value)
@@ -378,6 +385,7 @@ namespace Biface
         for (const auto &[position, change] : numbers)
           {
             const Span span = spans[position - 1];
+            // the rest of the value stays as it is in the file
             text += given.substr(copied, span.begin - copied);
             copied = span.begin + span.size;
             const double value =

@@ -36,6 +36,7 @@ namespace Biface
     unsigned int
     ranks_on_machine(const MPI_Comm communicator)
     {
+      // ranks of other machines have other memory
       MPI_Comm machine;
       MPI_Comm_split_type(
         communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
@@ -49,6 +50,7 @@ namespace Biface
     double
     number_in(const std::string &file)
     {
+      // a control group without limit has a word there
       double number = 0;
       return std::ifstream(file) >> number
                ? number

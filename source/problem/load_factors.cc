@@ -42,6 +42,7 @@ namespace Biface
         std::string place = kind;
         for (const std::string &word : split_words(point_or_edge))
           place += " " + word;
+        // several loads at a place are told apart by their order in the file
         const unsigned int number = ++numbers[place];
         items.push_back(
           {{kind, place, place + " " + std::to_string(number)}, &factor});
@@ -206,6 +207,7 @@ namespace Biface
         for (const MotionByForce &motion : stages[i].motions_by_force)
           positions["bodies " + motion.name()] = 0;
       }
+    // 0 is the common factor; names are in alphabetic order
     unsigned int last = 0;
     for (auto &position : positions)
       position.second = ++last;
@@ -242,6 +244,7 @@ namespace Biface
         stage.set_factors(names);
         for (MotionByForce &motion : stage.motions_by_force)
           {
+            // the control finds this factor, which no stage prescribes
             motion.motion.factor = positions.at("bodies " + motion.name());
             stage.factors[motion.motion.factor].reset();
           }

@@ -281,6 +281,7 @@ namespace Biface
       std::find_if(stages.begin(), stages.end(), [](const Stage &stage) {
         return stage.n_modes > 0;
       });
+    // frequencies without a part of the mass would mean nothing
     if (stage == stages.end())
       return;
     for (const PlyParameters &ply : laminate.plies)
@@ -341,6 +342,7 @@ namespace Biface
       for (const MaterialParameters &material : materials)
         if (material.name == ply.material)
           {
+            // what conducts nothing cannot lose its heat
             if (!(material.of_ply().conductivity > 0))
               throw InputError(
                 "Material " + material.name + "/Thermal conductivity",
@@ -476,6 +478,8 @@ namespace Biface
     bool
     is_along_a_line(const double angle)
     {
+      // such plies are symmetric about the line, all others shear when they
+      // stretch
       return std::abs(std::sin(2 * angle)) < 1e-6;
     }
 
@@ -646,6 +650,8 @@ namespace Biface
   PairsByEntry
   Parameters::named_pairs() const
   {
+    // as pairs, which checkpoints keep: a restart compares what the files
+    // contained
     PairsByEntry pairs;
     const auto   add_rows = [&](const std::string           &entry,
                               const std::vector<Point<3>> &rows) {
@@ -693,6 +699,7 @@ namespace Biface
         names.push_back(body.profile_file);
         names.push_back(body.height_file);
       }
+    // entries without a file
     names.erase(std::remove(names.begin(), names.end(), ""), names.end());
     return names;
   }

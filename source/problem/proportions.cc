@@ -48,6 +48,7 @@ namespace Biface
                  const ContactParameters &contact,
                  const ShellMesh         &mesh)
     {
+      // points in cells divide the sides
       const unsigned int k  = contact.condition.points_per_side;
       const double shortest = shortest_side_of_cells(mesh) / std::max(1U, k);
       if (std::abs(radius) + distance < shortest)
@@ -134,6 +135,7 @@ namespace Biface
     {
       double fastest = 0;
       for (const Stage &stage : parameters.stages)
+        // no radius is larger than the shell
         fastest = std::max(
           {fastest,
            std::abs(stage.ground_velocity.value_or(0)),

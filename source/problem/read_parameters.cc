@@ -167,6 +167,8 @@ namespace Biface
       const std::vector<ParameterLine> lines = scan_parameter_text(source.text);
       for (unsigned int number = 1; number < lines.size(); ++number)
         {
+          // deal.II would only say that there is no such section, not what to
+          // change
           const ParameterLine &line = lines[number];
           if (line.keyword != "subsection" || !line.section.empty())
             continue;
@@ -372,6 +374,8 @@ namespace Biface
                   .string();
               const std::string plies =
                 plies_of_csv(read_file(path, communicator), path);
+              // the name of the file is unset, so that the written parameters
+              // have the plies alone
               Source source{path,
                             "subsection Laminate\n  set Plies = " + plies +
                               "\n  set Plies file =\nend\n"};
@@ -409,6 +413,8 @@ namespace Biface
     void
     complete(const MPI_Comm communicator, Parameters &parameters)
     {
+      // stages of the test are stages like others, with load factors of their
+      // own
       parameters.add_tire_test();
       parameters.assign_load_factors();
       for (BodyParameters &body : parameters.bodies)
@@ -526,9 +532,12 @@ namespace Biface
                       has_friction || of_shape ? small_step : step);
           const std::array<double, 2> values{
             {change.value - size, change.value + size}};
+          // the difference of the numbers as they are rounded
           change.step = values[1] - values[0];
           for (unsigned int side = 0; side < 2; ++side)
             {
+              // all of the file is read again, so that whatever depends on the
+              // entry follows it, and is checked
               std::vector<Source> changed_sources = sources;
               for (const Override &setting :
                    settings({variable}, {values[side]}, declared, entry))

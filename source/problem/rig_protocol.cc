@@ -149,6 +149,7 @@ namespace Biface
         throw InputError("Tire test/Slip angles",
                          number_to_string(angle),
                          "it must lie between -90 and 90");
+    // a locked wheel has -1; below, it would turn backward
     for (const double ratio : slip_ratios)
       check_at_least("Tire test/Slip ratios", ratio, -1);
     if (inclination_angles.empty())
@@ -162,6 +163,7 @@ namespace Biface
           std::make_pair("Inclination angles", &inclination_angles),
           std::make_pair("Slip angles", &slip_angles),
           std::make_pair("Slip ratios", &slip_ratios)})
+      // rows of the table are told apart by these values
       for (auto value = values->begin(); value != values->end(); ++value)
         if (std::count(values->begin(), value, *value) > 0)
           throw InputError(std::string("Tire test/") + entry,
@@ -205,6 +207,8 @@ namespace Biface
       void
       add_all()
       {
+        // a tree of points: a load starts from the one below it, the first load
+        // of an inclination angle or a pressure from that of the one before
         load_standing_tire();
         std::vector<double> pressures(test.pressures);
         if (pressures.empty())
@@ -290,6 +294,8 @@ namespace Biface
         now.laws.penalty_stiffness = stages[base - 1].laws.penalty_stiffness;
         now.laws.tangential_stiffness =
           stages[base - 1].laws.tangential_stiffness;
+        // friction of a standing wheel would leave tractions that rolling does
+        // not know
         now.laws.friction = FrictionCoefficient();
         now.n_steps       = std::max(6u, test.n_steps);
         now.start_from    = base;
@@ -307,6 +313,7 @@ namespace Biface
         stages.push_back(point);
         stages.back().start_from = from;
         ++n_points;
+        // without the first point no other one has a start
         stages.back().may_fail = n_points > 1;
         stages.back().name     = "tire test: point " + std::to_string(n_points);
         return stages.size();
@@ -321,9 +328,12 @@ namespace Biface
         point.slip_angle        = 0;
         point.control           = ControlKind::ground_force_and_axle_moment;
         const unsigned int free = add(from, point);
+        // slip ratios count from free rolling at the same load and slip angle
         add_slip_ratios(free, 0);
         for (const double side : {1., -1.})
           {
+            // from straight rolling to either side, each angle from the one
+            // before
             unsigned int previous = free;
             for (const double angle : on_side(test.slip_angles, side))
               {

@@ -77,8 +77,11 @@ namespace Biface
   {
     std::unique_ptr<const ReferenceSurface> surface =
       make_surface(parameters.surface);
+    // plies on a coarser mesh are those of the finest one: the shell is the
+    // same
     const ChartGrid finest(parameters.mesh, *surface);
     const ChartGrid given = (grid ? *grid : finest);
+    // a run that exceeds the memory would be killed without a word
     check_memory(parameters, given, communicator);
     const Layup                   layup  = make_layup(parameters, finest);
     const std::vector<NamedPoint> points = parameters.points.on(*surface);

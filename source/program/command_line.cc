@@ -11,6 +11,7 @@ namespace Biface
 {
   CommandLine::CommandLine(std::vector<std::string> arguments)
   {
+    // as main() has them: the name of the program first, a null pointer last
     std::string         name = "biface";
     std::vector<char *> words{name.data()};
     for (std::string &argument : arguments)
@@ -37,6 +38,7 @@ namespace Biface
     optind = 0; // start again, also on a second call
 
     int found;
+    // the colon tells a missing value from an unknown option
     while ((found = getopt_long_only(argc, argv, ":", options, nullptr)) != -1)
       switch (found)
         {

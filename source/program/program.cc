@@ -82,6 +82,7 @@ namespace Biface
         throw InputError("the option '--stages' ends with stage " +
                          std::to_string(last) + ", but there are " +
                          std::to_string(parameters.stages.size()) + ".");
+      // a stage needs the end of the one before
       if (first > 1 && !command_line.restart)
         throw InputError("the option '--stages' starts with stage " +
                          std::to_string(first) +

@@ -79,6 +79,8 @@ namespace Biface
       };
       std::vector<ShippedFile> files{{base_name(file), text}};
       for (const ShippedFile &other : shipped_files())
+        // the example runs where it is written only with the files that it
+        // names
         if (std::regex_search(
               text,
               std::regex(
@@ -271,6 +273,8 @@ namespace Biface
           line = "# " + std::string(match[1]) + " = " +
                  exact_number(values.evaluate(match[1])) + ": " +
                  std::string(match[3]);
+        // only the values are replaced: the rest of the template, comments
+        // included, is the file
         while (std::regex_search(line, match, braces))
           {
             const double      number = values.evaluate(match[1]);
@@ -289,6 +293,8 @@ namespace Biface
   write_starting_files(const std::vector<ShippedFile> &files,
                        const MPI_Comm                  communicator)
   {
+    // all files or none; those that are there already with the same text do no
+    // harm
     std::string existing;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       for (const ShippedFile &file : files)

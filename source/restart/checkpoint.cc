@@ -137,6 +137,7 @@ namespace Biface
                                       rows_of_nodes(term.at_nodes, mesh)),
                 CheckpointFile::Table(prefix + at_cells(name),
                                       rows_of_cells(term.at_cells, mesh))})
+            // a term that remembers nothing there has no table
             if (table.second.width > 0)
               tables.push_back(table);
         }
@@ -231,6 +232,8 @@ namespace Biface
       {
         warning = error.what();
       }
+    // a file system may have damaged the newest one, or the run ended between
+    // the renames
     if (!reader)
       try
         {
@@ -265,6 +268,8 @@ namespace Biface
                          const RunRecord::Point &numbers,
                          const ShellMesh        &mesh) const
   {
+    // vectors get their ghost entries by communication; what contact and force
+    // terms remember is read at all nodes of a rank
     const auto nodes     = owned_node_numbers(mesh);
     const auto all_nodes = node_numbers(mesh);
     const auto cells     = cell_numbers(mesh);
@@ -330,6 +335,7 @@ namespace Biface
       }
     if (has("linearization displacement"))
       {
+        // prestress is that of the state and not stored twice
         State base(mesh);
         base.displacement         = ghosted("linearization displacement");
         base.resultants           = modes("linearization resultants");
@@ -340,6 +346,7 @@ namespace Biface
     RestorePoint result{state, numbers.progress};
     if (const auto &last = numbers.progress.predictor.get_last())
       {
+        // the header has its numbers, the tables its vectors
         SecantPredictor::Step step = *last;
         step.displacement          = vector("predictor displacement");
         step.resultants            = modes("predictor resultants");

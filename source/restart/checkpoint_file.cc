@@ -104,6 +104,7 @@ namespace Biface
             values.insert(values.end(), row, row + rows.width);
           }
 
+        // collective, also for ranks without rows in this piece
         numbers = gather_numbers(communicator, numbers);
         values  = gather_numbers(communicator, values);
         Assert(Utilities::MPI::this_mpi_process(communicator) != 0 ||
@@ -124,6 +125,7 @@ namespace Biface
       n_written_rows(const std::vector<Table> &tables,
                      const MPI_Comm            communicator)
       {
+        // zeros take no space; the reader makes them again
         std::vector<unsigned int> any(tables.size());
         for (unsigned int t = 0; t < tables.size(); ++t)
           for (const double value : tables[t].second.values)
@@ -178,6 +180,8 @@ namespace Biface
               return rows.numbers[a] < rows.numbers[b];
             });
           const std::uint64_t step = piece / rows.width;
+          // all ranks go through all pieces, since each is gathered from all of
+          // them
           for (std::uint64_t begin = 0; begin < n_rows[t]; begin += step)
             {
               const auto values = gather(rows,
@@ -195,6 +199,7 @@ namespace Biface
         {
           sink->put_number<std::uint64_t>(sink->checksum.checksum());
           AtomicFile &file = sink->file;
+          // the data must be on the disk before its name is
           file.sync();
           // between the two renames, the older file is the latest
           if (file.error().empty() &&
@@ -207,6 +212,7 @@ namespace Biface
               reason = file.error();
             }
           if (reason.empty())
+            // the new names, too
             reason = sync_to_disk(
               std::filesystem::absolute(path).parent_path().string());
         }
@@ -265,6 +271,8 @@ namespace Biface
           return "is truncated";
         std::array<char, 8> begin;
         source.file.read(begin.data(), begin.size());
+        // in this order: of another file, version or machine the checksum says
+        // nothing
         if (begin != magic)
           return "is not a checkpoint";
         if (source.number<std::uint32_t>() != format)
@@ -306,6 +314,8 @@ namespace Biface
           if (reason.empty())
             {
               Source source(path);
+              // the checksum was right, so that sizes and offsets can be
+              // trusted
               source.file.seekg(magic.size() + 2 * sizeof(std::uint32_t));
               head.first          = source.text();
               const auto n_tables = source.number<std::uint64_t>();

@@ -62,6 +62,7 @@ namespace Biface
   void
   CheckpointWriter::write(RunRecord &record)
   {
+    // without a step since, nothing has changed
     if (!parameters.write || (any_written && last_step == progress.n_steps))
       return;
 

@@ -11,6 +11,7 @@ namespace Biface
   NumberedRows
   rows_of(const LA::Vector &displacement, const ShellMesh &mesh)
   {
+    // by the numbers of nodes: those of unknowns depend on the partition
     NumberedRows rows;
     rows.width   = mesh.n_dofs_per_node();
     rows.n_rows  = mesh.n_nodes();

@@ -94,6 +94,8 @@ namespace Biface
     attempt.level = trial.level(attempt.mu);
     if (!attempt.result.converged)
       return attempt;
+    // beyond the body the shell is in equilibrium, too, but no motion leads
+    // there
     const std::string passed =
       run.contact.passed_body(run.state,
                               run.loads_at(run.progress.reached),

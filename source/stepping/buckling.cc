@@ -31,6 +31,8 @@ namespace Biface
     const double begin = load_fraction(from, reached, second);
     Buckling     result;
     result.modes = found.modes;
+    // positions are 0 before the last step and 1 after it, factors 0 at the
+    // start of the stage and 1 at its end, section 9
     for (const BucklingMode &mode : found.modes)
       result.loads.push_back(
         {begin + mode.position * (1 - begin),

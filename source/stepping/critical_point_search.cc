@@ -16,6 +16,9 @@ namespace Biface
   CriticalPointSearch::PivotCounts
   CriticalPointSearch::count(const StageRun &run, const Attempt &attempt)
   {
+    // the pivots of the matrix say nothing with dashpots in it, without the
+    // term of rank one of a gas, or with the stresses at the start of a linear
+    // stage
     PivotCounts n;
     if (run.stage.critical_points == CriticalPoints::ignore ||
         run.stage.damping > 0 || run.stage.sealed ||
@@ -133,6 +136,7 @@ namespace Biface
           break;
         // by the size of the step, whatever its control prescribes
         const double middle = (low + high) / 2;
+        // the size at hand is that of the bisection before
         run.control->scale_step(middle / taken);
         taken                      = middle;
         const Control::Trial other = run.control->propose(run.last_converged());
@@ -147,11 +151,14 @@ namespace Biface
         const std::optional<unsigned int> n =
           (half.result.converged ? count(run, half.state, half.level, true)
                                  : std::nullopt);
+        // the far side as it is ends the step: it is an equilibrium, too
         if (!n)
           {
             attempt.result.iterations = half.result.iterations;
             break;
           }
+        // the step ends on the far side, where the critical eigenvalue has its
+        // new sign
         if (n == n_negative.before)
           {
             low                       = middle;

@@ -30,6 +30,8 @@ namespace Biface
     std::optional<EasierLaws>
     easier_laws(const ContactLaws &given, const double speed)
     {
+      // little friction hardly acts back on the footprint, and with a large
+      // critical velocity it is nearly linear in the slip velocity
       if (given.kind_of_friction() == FrictionKind::by_bristles)
         return EasierLaws{
           16,
@@ -107,6 +109,7 @@ namespace Biface
         // from the last solution, by a smaller step after each failure
         easing = std::max(1., *last / ratio);
       }
+    // what fails are the given laws, and advice refers to them
     Attempt result           = failed;
     result.result.iterations = iterations;
     if (run.laws.bristles())

@@ -45,6 +45,7 @@ namespace Biface
     const std::vector<double> from = load_components(start),
                               now  = load_components(reached),
                               to   = load_components(end);
+    // all loads of a stage change in proportion
     for (unsigned int i = 0; i < from.size(); ++i)
       if (to[i] != from[i])
         return (now[i] - from[i]) / (to[i] - from[i]);
@@ -86,6 +87,8 @@ namespace Biface
                               after  = load_components(b);
     double largest                   = 0;
     for (unsigned int i = 0; i < before.size(); ++i)
+      // relative to the larger value: a load that begins or ends at 0 has
+      // changed wholly
       if (before[i] != after[i])
         largest = std::max(largest,
                            std::abs(after[i] - before[i]) /

@@ -70,6 +70,7 @@ namespace Biface
                      heat,
                      progress,
                      state);
+        // those of the last step belong to the loads and laws of its stage
         forces.reset();
         if (!progress.stage_begun)
           start_stage(run, stage_before(stages, progress.stage));
@@ -80,6 +81,8 @@ namespace Biface
             auto step = next_step(run);
             if (const auto *failure = std::get_if<LoadSteppingResult>(&step))
               {
+                // a signal says nothing about the stage, which a restart
+                // continues
                 if (failure->stopped || !run.stage.may_fail)
                   return *failure;
                 out << "  " << run.stage.name
@@ -89,6 +92,7 @@ namespace Biface
                 continue;
               }
             StepReport &report = std::get<StepReport>(step);
+            // before the observer writes the report, to which analyses add
             if (run.is_complete())
               for (const auto &analysis : analyses)
                 analysis->end_stage(run, report);
@@ -117,6 +121,8 @@ namespace Biface
                       Progress                 &progress,
                       State                    &state)
   {
+    // a stage without the equilibrium from which it starts cannot be computed:
+    // failures pass on along the tree
     unsigned int next = progress.stage + 1;
     for (;; ++next)
       {
@@ -155,6 +161,7 @@ namespace Biface
   {
     if (const auto unbalance = run.start())
       print(run, *unbalance, out);
+    // a zone of the coarser mesh that failed in one stage may fit the next
     trust_nested = true;
     for (const auto &analysis : analyses)
       analysis->start_stage(run, before);
@@ -198,6 +205,7 @@ namespace Biface
 
     Attempt attempt = try_step(run, trial);
     if (attempt.result.converged)
+      // an arc may end beyond the loads of the stage, which must be met exactly
       if (const auto other = run.control->replace(trial, attempt.mu))
         {
           out
@@ -238,6 +246,7 @@ namespace Biface
         if (attempt.result.converged)
           {
             StepReport report = accept_to_critical_point(run, trial, attempt);
+            // the bisection may have been stopped by a signal
             if (!attempt.result.stopped)
               {
                 report.seconds = timer.wall_time();
@@ -291,6 +300,8 @@ namespace Biface
     if (failure.stopped)
       return failure;
     failure.n_negative_pivots = result.exact_pivots();
+    // of the last equilibrium, not of an iterate that diverged; there is none
+    // before the first step
     if (run.progress.n_steps > 0 && result.failure.may_lie_in_the_wall())
       {
         failure.worst =
@@ -312,6 +323,7 @@ namespace Biface
   LoadStepping::try_step(const StageRun &run, const Control::Trial &trial)
   {
     announce(run, trial, out);
+    // each further attempt below answers another cause of divergence
     const NewtonIteration iteration = newton.parameters.iteration;
     const InitialGuess    guess     = predict(run, trial, true);
     Attempt attempt = attempt_step(newton, run, trial, guess, iteration);
@@ -368,6 +380,8 @@ namespace Biface
     InitialGuess  guess{run.state, trial.mu};
     const Instant from = run.instant();
     const Instant to{from.stage, from.fraction + trial.size};
+    // without a size, as in arc length, nothing changes in proportion to the
+    // step
     if (trial.size == 0)
       return guess;
     guess.zone_given =
@@ -385,6 +399,7 @@ namespace Biface
   {
     CriticalPointSearch::PivotCounts n_negative =
       critical_points.count(run, attempt);
+    // between two branches pivots change without a critical point in the step
     const bool critical = !attempt.to_branch && n_negative.differ();
     const bool located  = critical && run.stage.locates_critical_points();
     double     part     = 1;
@@ -403,6 +418,8 @@ namespace Biface
     if (n_negative.after)
       attempt.result.set_exact_pivots(*n_negative.after);
     StepReport report = accept(run, trial, attempt);
+    // the step was shortened for the critical point, not for convergence: the
+    // next one is as long as this one was, also after a restart
     if (part < 1)
       {
         run.control->scale_step(1 / part);
@@ -439,10 +456,12 @@ namespace Biface
       progress.predictor.reset();
     else if (trial.size > 0)
       {
+        // from the initial guess, to which the next prediction adds it
         LoadParameters change = attempt.mu;
         add(change, -1, trial.mu);
         progress.predictor.learn(run.state, attempt.state, change, trial.size);
       }
+    // the direction in which arc length goes on, section 7 of doc/theory.md
     progress.last_change = owned_part(attempt.state.displacement);
     progress.last_change -= owned_part(run.state.displacement);
     progress.reached  = attempt.level;

@@ -62,6 +62,7 @@ namespace Biface
 
     if (instant.fraction <= begin + tolerance)
       return {before, before, 1};
+    // beyond what the coarser mesh has reached
     if (after == states.end() || after->first.stage != instant.stage)
       return {nullptr, nullptr, 0};
     return {before,
@@ -76,6 +77,7 @@ namespace Biface
                            const Instant   &to,
                            State           &state) const
   {
+    // without coarser meshes
     if (states.empty())
       return false;
     // The change on the coarser mesh is added, instead of taking its state: the
@@ -114,6 +116,8 @@ namespace Biface
             for (unsigned int i = 0; i < 3; ++i)
               {
                 const auto dof = node.dof(i, part);
+                // other constrained unknowns follow from these in distribute();
+                // prescribed ones, which depend on no others, are set behind it
                 if (!mesh.constraints.is_constrained(dof))
                   increment(dof) = moved[i];
                 else if (mesh.constraints.get_constraint_entries(dof)->empty())
@@ -139,6 +143,8 @@ namespace Biface
         const Point<2> low = mesh.nodes[mesh.cells[c].nodes[0]].alpha;
         Point<2>       high;
         for (unsigned int a = 0; a < 2; ++a)
+          // by lines, since beyond a closed seam nodes start again from the
+          // lowest
           high[a] =
             *std::upper_bound(lines[a].begin(), lines[a].end() - 1, low[a]);
         const std::array<Point<2>, 4> vertices{

@@ -9,6 +9,8 @@ namespace Biface
   Stage
   Progress::complete(const Stage &given) const
   {
+    // a part of a stage depends on where it starts: the angular velocity of a
+    // slip ratio, and the time at its end
     const LoadLevel &start = start_of_stage();
     Stage result = with_angular_velocity(given, start, free_rolling_radius);
     if (given.duration > 0)
@@ -40,6 +42,7 @@ namespace Biface
   void
   Progress::change_stage(const Stage &before, const Stage &now)
   {
+    // a stage that has not begun is made from the changed file anyway
     if (!stage_begun)
       return;
     const std::unique_ptr<Control> changed = make_control(complete(before));

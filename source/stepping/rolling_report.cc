@@ -44,6 +44,8 @@ namespace Biface
   RollingReport::add_heat(const StageRun &run, StepReport &report)
   {
     const RollingSummary &rolling = *report.rolling;
+    // what relaxes is the power of axle and ground less friction, but for an
+    // error of the mesh, section 10
     if (rolling.hysteresis->of_relaxation > 0 &&
         std::abs(rolling.mismatch) > 0.1 * rolling.hysteresis_power)
       out << "  Warning: axle and ground have "
@@ -79,6 +81,7 @@ namespace Biface
   RollingReport::warn_of_fast_wheel(const StageRun   &run,
                                     const StepReport &report)
   {
+    // without mass there are neither centrifugal forces nor standing waves
     const auto &strips = run.contact.mesh.strips;
     if (warned || report.n_negative_pivots.value_or(0) == 0 ||
         report.loads->rolling->angular_velocity == 0 ||

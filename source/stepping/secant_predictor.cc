@@ -37,6 +37,7 @@ namespace Biface
     LA::Vector displacement = owned_part(state.displacement);
     displacement.add(ratio, last->displacement);
     state.displacement = displacement;
+    // unknowns of the mixed iteration as well, whose first tangent has them
     for (unsigned int c = 0; c < state.resultants.size(); ++c)
       state.resultants[c] += ratio * last->resultants[c];
   }

@@ -10,6 +10,7 @@ namespace Biface
   SensitivityTable::logarithmic(const unsigned int entry,
                                 const unsigned int output) const
   {
+    // a result of 0 has no logarithm
     const double value = outputs[output].value;
     return value == 0
              ? std::numeric_limits<double>::quiet_NaN()

@@ -103,6 +103,7 @@ namespace Biface
   void
   Stage::check(const std::string &section) const
   {
+    // a name is a field of tables, which have no quotation
     if (name.empty() || name.find_first_of(",\"\n\r") != std::string::npos)
       throw InputError(section + "/Name",
                        name,
@@ -131,6 +132,8 @@ namespace Biface
     };
     if (!locates_critical_points())
       return;
+    // the pivots are those of a matrix without the term of rank one of the gas,
+    // section 5
     refuse(sealed, "it needs 'Gas = open'");
     refuse(theory == StrainTheory::linear,
            "it needs 'Strain theory = nonlinear'");
@@ -139,6 +142,7 @@ namespace Biface
       return;
     refuse(control != ControlKind::load && control != ControlKind::arc_length,
            "it needs 'Control = load' or 'arc length'");
+    // on the way to the branch the load is unknown, and scales no motion
     refuse(moves_ground(), "the ground must not move");
   }
 } // namespace Biface

@@ -13,6 +13,7 @@ namespace Biface
   {
     if (step.run.stage.n_buckling == 0 || !step.run.is_complete())
       return;
+    // index 0 of section 9: the step is about to replace this state
     before       = step.run.state;
     level_before = step.level_before;
   }

@@ -131,11 +131,14 @@ namespace Biface
   void
   StageControl::check(const std::string &section) const
   {
+    // an entry that the control does not read is refused rather than ignored
     if (!prescribes_force() && force != 0)
       throw InputError(section + "/Force",
                        number_to_string(force),
                        "it needs 'Control = foundation force' or "
                        "'foundation force and axle moment'");
+    // there the one unknown scales all loads, and the factor of a motion would
+    // be another
     if (!forces_on_bodies.empty() && (control == ControlKind::displacement ||
                                       control == ControlKind::arc_length))
       throw InputError(section + "/Forces on bodies",

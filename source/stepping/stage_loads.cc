@@ -19,6 +19,7 @@ namespace Biface
     NamedFactors factors;
     for (const auto &[name, factor] : split_named_list(entry, text, form))
       {
+        // without a number, the factor stays as at the start of the stage
         factors.emplace_back(name, std::nullopt);
         if (factor != "unchanged")
           factors.back().second = parse_number(entry, factor, form);
@@ -33,6 +34,8 @@ namespace Biface
     names_of_factors = names;
     factors.assign(names.size(), common_factor);
     for (unsigned int i = 0; i < names.size(); ++i)
+      // from the most general to the longest name, of which the last one that
+      // is given counts
       for (const std::string &name : names[i])
         for (const auto &[own_name, factor] : own_factors)
           if (own_name == name)
@@ -46,6 +49,7 @@ namespace Biface
     std::vector<unsigned int> positions;
     for (const std::vector<std::string> &names : names_of_factors)
       {
+        // what had no factor of its own follows the common one
         unsigned int position = 0;
         for (const std::string &name : names)
           for (unsigned int i = 1; i < other.names_of_factors.size(); ++i)
@@ -356,6 +360,8 @@ namespace Biface
   void
   StageLoads::check_without_contact(const std::string &section) const
   {
+    // without ground these have no effect, and a file that gives them is in
+    // error
     const auto refuse_motion = [&](const std::string           &entry,
                                    const std::optional<double> &motion) {
       if (motion.value_or(0) != 0)
@@ -378,6 +384,8 @@ namespace Biface
   StageLoads::check_slide(const std::string  &section,
                           const Tensor<1, 3> &direction) const
   {
+    // a part along it would add to the travel; components of the file have few
+    // digits
     if (slide &&
         std::abs(*slide * direction) > 1e-6 * slide->norm() * direction.norm())
       throw InputError(section + "/Slide",

@@ -91,6 +91,7 @@ namespace Biface
   void
   StageResults::check(const std::string &section) const
   {
+    // with an amplitude of 0 the path would not be left
     if (critical_points == CriticalPoints::switch_branch &&
         (!std::isfinite(branch_amplitude) || branch_amplitude == 0))
       throw InputError(section + "/Branch amplitude",

@@ -56,6 +56,8 @@ namespace Biface
     }
 
 
+    /** The stage whose contact a stage continues; from prestress, contact
+     * starts anew. */
     std::optional<Stage>
     before_in(const std::vector<Stage> &stages, const unsigned int position)
     {
@@ -117,6 +119,8 @@ namespace Biface
       (stage.sealed ? progress.reached.pressure : level.pressure);
     loads.factors          = level.factors;
     loads.factors_of_shape = progress.factors_of_shape;
+    // products of a change of loads and one of the shape are of second order:
+    // what follows the shell turns with its size at the start, section 5
     if (stage.theory == StrainTheory::linear)
       {
         const LoadLevel &start = progress.start_of_stage();
@@ -139,6 +143,8 @@ namespace Biface
                                       level.turn * numbers::PI / 180,
                                       progress.first_contact_point,
                                       direction);
+    // results are in the axes of the wheel: the ground leans and turns the
+    // other way
     if (level.inclination_angle != 0)
       placed = placed.rotated(WheelAxes(direction).forward,
                               -level.inclination_angle * numbers::PI / 180);
@@ -162,6 +168,8 @@ namespace Biface
     const double start =
       pair.laws(set_for(pair, *before)).condition().penalty_stiffness();
     const double end = at_end.condition().penalty_stiffness();
+    // 1/stiffness changes evenly, and with it the penetration of a pressure,
+    // section 7
     return at_end.with_condition(ContactCondition(
       left < 1 ? 1 / (left / start + (1 - left) / end) : start));
   }
@@ -181,6 +189,8 @@ namespace Biface
                         slip_angle),
                       level);
         loads.place(0, {ground, at_level(level, 0, laws)});
+        // the ground moves under a wheel that stands in the frame of the axle,
+        // section 10
         if (loads.rolling)
           loads.rolling->ground = GroundMotion::under_wheel(
             ground, level.ground_velocity, slip_angle);
@@ -209,6 +219,8 @@ namespace Biface
   TimeStep
   StageRun::time_step_to(const LoadLevel &level) const
   {
+    // steady rolling has no time before: all of a turn relaxes at the
+    // temperature of the level; in time, a step does at its mean one
     const LoadLevel &from = progress.reached;
     return {level.time - from.time,
             rolls ? level.temperature
@@ -231,6 +243,8 @@ namespace Biface
   ShellEquations::Unbalance
   StageRun::start_from_prestress()
   {
+    // the shape that was reached counts as undeformed, section 5: motions, work
+    // and contact start from zero, while the loads are kept
     for_each_motion([](auto &motion, const auto &zero) { motion = zero; },
                     progress.reached,
                     LoadLevel());
@@ -247,6 +261,8 @@ namespace Biface
   void
   StageRun::check_bodies() const
   {
+    // the penetration is there before the first step, so that halving it would
+    // not help
     const Loads loads = loads_at(progress.reached);
     for (const auto &item : laws_of_bodies)
       {
@@ -270,6 +286,8 @@ namespace Biface
     if (!before ||
         before->laws.tangential_stiffness == stage.laws.tangential_stiffness)
       return;
+    // stick points move so that sticking nodes keep their tractions under
+    // another stiffness, and the stage starts in equilibrium, section 7
     const Loads loads = loads_at(progress.reached);
     for (const auto &pair : contact.pairs)
       if (has_body(stage, *pair) && has_body(*before, *pair))
@@ -285,11 +303,14 @@ namespace Biface
   StageRun::start()
   {
     progress.reached = with_factors(progress.reached, stage.factors.size());
+    // without a stage before, the temperature is constant in the first one
     if (progress.stage == 0)
       progress.reached.temperature = stage.temperature.value_or(0);
     std::optional<ShellEquations::Unbalance> unbalance;
     if (stage.from_prestress)
       unbalance = start_from_prestress();
+    // travel counts from where the ground meets the shell as it is here, such
+    // as after inflation; stages that follow keep this place
     if (stage.contact && !progress.travel_at_first_contact)
       {
         progress.travel_at_first_contact =
@@ -298,6 +319,7 @@ namespace Biface
           contact.ground(), state, *progress.travel_at_first_contact);
         progress.reaction = {progress.reached, {}, {}};
       }
+    // from which the secant stiffness of the stage counts
     progress.first_reaction = progress.reaction;
     InternalForces::set_theory(stage.theory, state);
     check_bodies();

@@ -22,6 +22,7 @@ namespace Biface
   is_branched_from(const std::vector<Stage> &stages,
                    const unsigned int        position)
   {
+    // the next stage goes on from the state at hand and needs no copy
     for (unsigned int later = position + 2; later < stages.size(); ++later)
       if (stage_before(stages, later) == position)
         return true;
@@ -39,6 +40,7 @@ namespace Biface
         const std::string section = "Stage " + std::to_string(i + 1);
         const auto        before  = stage_before(stages, i);
         stage.check(section);
+        // what a stage computes is unknown to all that start from its end
         Control::KnownStart start =
           (before ? ends[*before] : Control::KnownStart::undeformed());
         if (stage.from_prestress)

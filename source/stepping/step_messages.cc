@@ -16,6 +16,7 @@ namespace Biface
         const ShellEquations::Unbalance &unbalance,
         ConditionalOStream              &out)
   {
+    // without loads, prestress is in balance with supports alone
     const bool   loaded = unbalance.loads > 0;
     const double whole  = (loaded ? unbalance.loads : unbalance.with_supports);
     double       part   = (whole > 0 ? unbalance.forces / whole : 0.);

@@ -17,6 +17,7 @@ namespace Biface
     const LoadLevel &level = run.progress.reached;
     report.loads           = std::make_shared<const Loads>(loads);
     report.level           = level;
+    // motions of earlier stages would look like those of ground that is there
     if (!run.stage.contact)
       for_each_motion([](auto &motion, const auto &zero) { motion = zero; },
                       report.level,

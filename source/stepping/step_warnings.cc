@@ -33,6 +33,7 @@ namespace Biface
   {
     constexpr double steep = numbers::PI / 4;
 
+    // a step that converged at once gives no reason to doubt its solution
     if (report.n_cuts == 0)
       return;
     for (const auto &pair : run.contact.pairs)
@@ -80,6 +81,7 @@ namespace Biface
         if (pair.get() == &run.contact.ground() ||
             warned_of_large_cells.count(pair->name) > 0 || !pair->body(loads))
           continue;
+        // points in contact cannot see what lies between them
         const auto deepest =
           penetration_between_points(*pair, run.state, loads);
         if (deepest.relative <= remarkable)
@@ -111,6 +113,8 @@ namespace Biface
         const ActiveSet pierced = pierced_nodes(*pair, run.state, loads);
         const bool      any     = std::any_of(
           pierced.begin(), pierced.end(), [](const char node) { return node; });
+        // the names of nodes are gathered from all ranks, which must go the
+        // same way
         if (!Utilities::MPI::logical_or(any, run.contact.mesh.communicator))
           continue;
         out << "  Warning: "

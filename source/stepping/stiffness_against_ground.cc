@@ -28,6 +28,7 @@ namespace Biface
     const double       turn     = to.level.turn - from.level.turn;
     const unsigned int n_motions =
       (approach != 0) + (slide.norm() > 0) + (turn != 0);
+    // of several motions, no part of the force belongs to one alone
     if (n_motions != 1)
       return {};
 

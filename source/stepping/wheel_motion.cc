@@ -29,6 +29,7 @@ namespace Biface
                         const LoadLevel             &start,
                         const std::optional<double> &free_radius)
   {
+    // the definition of the slip ratio, solved for the angular velocity
     Stage result = stage;
     if (stage.slip_ratio)
       {
@@ -46,6 +47,7 @@ namespace Biface
                     const LoadLevel             &end,
                     const std::optional<double> &before)
   {
+    // slip ratios of all later stages refer to the last free rolling
     return ended.ends_free_rolling() ? free_rolling_radius(end) : before;
   }
 
@@ -60,6 +62,7 @@ namespace Biface
   double
   slip_ratio(const LoadLevel &level, const double free_radius)
   {
+    // a wheel that does not go forward has none
     const double forward = forward_velocity(level);
     return forward != 0 ? level.angular_velocity * free_radius / forward - 1
                         : std::numeric_limits<double>::quiet_NaN();

@@ -25,6 +25,7 @@ namespace Biface
         *counter = 0;
         MPI_Win_unlock(0, window);
       }
+    // no group may count before the counter is set
     MPI_Barrier(all);
   }
 
@@ -42,6 +43,8 @@ namespace Biface
     if (Utilities::MPI::this_mpi_process(group) == 0)
       {
         MPI_Win_lock(MPI_LOCK_SHARED, 0, 0, window);
+        // one-sided and atomic: no group waits for the first rank, which has
+        // samples of its own, and none gets the number of another
         const int ierr = MPI_Fetch_and_op(
           &operand, &before, MPI_LONG, 0, 0, operation, window);
         AssertThrowMPI(ierr);

@@ -42,6 +42,7 @@ namespace Biface
           continue;
         double distance = 0;
         for (unsigned int i = 0; i < values.size(); ++i)
+          // variables have different units
           distance += std::pow((sample->values[i] - values[i]) / scales[i], 2);
         // the last one of several
         if (distance <= smallest)

@@ -221,6 +221,7 @@ namespace Biface
         return result;
       }
 
+    // a real number, since the product may exceed an integer
     double n = 1;
     for (const DesignVariable &variable : variables)
       n *= values_of(variable).values.size();
@@ -231,6 +232,7 @@ namespace Biface
     result.resize(n, std::vector<double>(m));
     for (std::size_t i = 0; i < result.size(); ++i)
       {
+        // the last variable varies fastest
         std::size_t rest = i;
         for (unsigned int j = m; j-- > 0;)
           {

@@ -89,6 +89,7 @@ namespace Biface
         const unsigned int rank  = Utilities::MPI::this_mpi_process(all);
         const unsigned int ranks = Utilities::MPI::n_mpi_processes(all);
         number                   = (ranks + size - 1) / size;
+        // consecutive ranks, which are mostly on the same machine
         const int ierr = MPI_Comm_split(all, rank / size, rank, &communicator);
         AssertThrowMPI(ierr);
       }
@@ -198,6 +199,7 @@ namespace Biface
       last_stage(const Output &output, const std::vector<Stage> &stages)
       {
         unsigned int result = stages.size() - 1;
+        // without a stage, the last one; names may occur several times
         while (!output.stage.empty() && stages[result].name != output.stage)
           {
             Assert(result > 0, ExcInternalError());
@@ -330,6 +332,7 @@ namespace Biface
               variable.check(base_prm);
               check_column_of(variable, parameters.outputs);
             }
+          // refuses two variables that set the same number
           settings(
             parameters.sampling.variables, samples[0], base_prm, "--study");
           for (const StudyParameters::Output &output : parameters.outputs)
@@ -358,6 +361,8 @@ namespace Biface
 
       for (unsigned int j = 0; j < samples[0].size(); ++j)
         {
+          // distances between samples count in parts of the range of each
+          // variable
           double low = samples[0][j], high = low;
           for (const std::vector<double> &sample : samples)
             {
@@ -507,6 +512,7 @@ namespace Biface
           };
           const AnalysisResult result =
             analyze(changed, prm, notes, options, communicator, log, err);
+          // what stopped on its way has no states for the later stages
           if (states && result.code == done)
             neighbors.add(std::move(states));
           return result;
@@ -547,6 +553,7 @@ namespace Biface
 
       results.failure = result.reason;
       results.seconds = timer.wall_time();
+      // at last: a sample without a row is run again
       write_text(
         table.row_file(i), table.row_text(i, results), false, communicator);
       return false;
@@ -559,11 +566,13 @@ namespace Biface
                RunLog             &log,
                ConditionalOStream &err)
     {
+      // kept until the end, since it locks the directory
       const ResultsDirectory directory(parameters.directory, communicator);
       StudyTable             table = prepare_table(restart);
       log.open(path("study.log"), restart);
       ConditionalOStream out(log.stream(), is_root);
 
+      // only the first rank has read the rows of a study that is continued
       const std::vector<unsigned int> todo =
         Utilities::MPI::broadcast(communicator, table.missing());
       const unsigned int n_ranks =
@@ -611,6 +620,7 @@ namespace Biface
                   run_sample(table, todo[next], group.communicator, signals);
                 busy += sample_timer.wall_time();
                 stop = signals.caught(group.communicator);
+                // other groups end after the samples that they have begun
                 if (stopped || stop != 0)
                   {
                     queue.skip_to(todo.size());

@@ -99,6 +99,7 @@ namespace Biface
     std::vector<unsigned int> result;
     for (const unsigned int sample : missing())
       {
+        // a row is written as a whole, with the header of its table
         const std::vector<std::string> lines = lines_of(row_file(sample));
         if (lines.size() != 2)
           continue;
@@ -185,6 +186,7 @@ namespace Biface
   {
     std::string result = std::to_string(sample + 1);
     for (const double value : samples[sample])
+      // exactly, since a restart compares the texts
       result += ',' + exact_number(value);
     return result + ',';
   }

@@ -38,6 +38,7 @@ namespace Biface
     ChartGrid coarse(*this);
     for (unsigned int a = 0; a < 2; ++a)
       {
+        // two cells remain in each direction
         if (lines[a].size() < 5)
           continue;
         const double tolerance = 1e-9 * (lines[a].back() - lines[a].front());
@@ -52,6 +53,8 @@ namespace Biface
         bool skipped = true;
         for (const double line : lines[a])
           {
+            // every second line, and those without which the coarser shell
+            // would be another one
             const bool keep = skipped || is_kept(line);
             if (keep)
               coarse.lines[a].push_back(line);
@@ -155,6 +158,8 @@ namespace Biface
           n_ranks, triangulation, SparsityTools::Partitioner::metis);
         return;
       }
+    // whole lines along the short sides of the cells, where the smoother of the
+    // multigrid solves: none is cut, section 7
     for (const auto &cell : triangulation.active_cell_iterators())
       {
         const GridIndex index =

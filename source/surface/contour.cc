@@ -155,6 +155,7 @@ namespace Biface
     for (unsigned int i = 0; i < points.size(); ++i)
       {
         turns.push_back(std::abs(turn_at(points, i)));
+        // the turn per length: large at a kink, where neighbors have little
         curvatures.push_back(i == 0 || i + 1 == points.size()
                                ? 0.
                                : turns[i] /

@@ -90,6 +90,7 @@ namespace Biface
   double
   CordEquilibrium::Shape::curvature(const double r) const
   {
+    // k_1 = d(sin phi)/dr of section 1, where sin beta is 'sine'
     const double r_c = crown_radius, r_w = widest_radius;
     const double k    = std::cos(crown_cord_angle) / r_c;
     const double sine = std::sqrt(1 - k * k * r * r);
@@ -116,6 +117,8 @@ namespace Biface
           const double d       = depth * t * t;
           const double lack    = shape.one_minus_sine(d);
           const double cosine2 = lack * (2 - lack);
+          // cos^2 phi = (1 - sin phi)(1 + sin phi) keeps its digits at the
+          // crown
           if (!(cosine2 > 0))
             return 0.;
           return f(1 - lack) * 2 * depth * t / std::sqrt(cosine2);
@@ -130,6 +133,7 @@ namespace Biface
     bool
     reaches(const CordEquilibrium::Shape &shape, const double r)
     {
+      // at sin phi = -1 the curve turns outward again
       return shape.curvature(shape.crown_radius) > 0 &&
              shape.one_minus_sine(shape.crown_radius - r) < 2;
     }
@@ -258,6 +262,7 @@ namespace Biface
       while (above > min_angle)
         {
           const double below = above - 1, after = excess(below);
+          // false next to angles without an end, too
           if (before * after <= 0)
             return shape_of_width(r_c,
                                   parameters.half_width,
@@ -339,6 +344,7 @@ namespace Biface
     const double       way     = std::min(std::abs(s), length);
     const unsigned int i       = std::lround(way / spacing);
     Position           x       = advance(samples[i], way - i * spacing);
+    // the mirror image in the plane of symmetry
     if (s < 0)
       {
         x[1] = -x[1];

@@ -28,6 +28,7 @@ namespace Biface
   GreatestDeviation::check(const ReferenceSurface &surface,
                            const MPI_Comm          communicator) const
   {
+    // the same place on all ranks, whatever the partition
     const auto by_rank = Utilities::MPI::all_gather(communicator, worst);
     const auto [part, alpha_1, alpha_2, deviation] =
       *std::min_element(by_rank.begin(), by_rank.end());

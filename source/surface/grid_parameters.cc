@@ -107,6 +107,8 @@ namespace Biface
                            parameters.intervals[1].text,
                            "it must not span more than 360 degrees");
         for (unsigned int j = 1; j < lines[1].size(); ++j)
+          // between two points half a turn apart, the manifold does not know
+          // which way around the cell lies
           if (!(lines[1][j] - lines[1][j - 1] < 0.49 * period))
             throw InputError(entry_names[1],
                              parameters.intervals[1].text,
@@ -125,6 +127,8 @@ namespace Biface
           throw InputError(entry_names[1],
                            parameters.intervals[1].text,
                            "a closed coordinate must span 360 degrees");
+        // with two cells, a cell would be the neighbor of the other on both
+        // sides
         if (lines[1].size() < 4)
           throw InputError(entry_names[1],
                            parameters.intervals[1].text,

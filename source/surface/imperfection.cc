@@ -119,6 +119,7 @@ namespace Biface
   {
     const auto used = formula_of(*this).used_names();
     for (const Table &table : tables)
+      // a table without use is rather a mistake in the formula
       if (std::count(used.begin(), used.end(), table.file.name) == 0)
         throw InputError(imperfection_section + "Tables",
                          table.file.name,
@@ -182,6 +183,7 @@ namespace Biface
         Point<2> at(values[3], values[4]);
         if (period > 0)
           {
+            // into the turn that begins with the first column
             at[1] -= period * std::floor((at[1] - chart.start) / period);
             // beyond the rows, that of the nearer end
             if (at[1] - chart.end > chart.start + period - at[1])

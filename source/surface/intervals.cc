@@ -75,6 +75,7 @@ namespace Biface
                              "the ratio of neighboring cells must lie "
                              "between 0.01 and 100");
           constexpr double longest = 1e10;
+          // by logarithms, since the power may exceed all numbers
           if (std::abs(std::log(interval.ratio)) * (n - 1) > std::log(longest))
             throw InputError(entry,
                              text,
@@ -125,6 +126,8 @@ namespace Biface
           {
             Interval    &interval = intervals[i];
             const double length   = interval.end - interval.start;
+            // from the cells on the left if these are given; from those on the
+            // right the ratio is that of the other direction
             if (i > 0 && !smooth[i - 1])
               interval.ratio = smooth_ratio(
                 length,
@@ -148,6 +151,7 @@ namespace Biface
   double
   Interval::cell_length(const unsigned int i) const
   {
+    // the sum of a geometric series is the whole length
     const double sum =
       (ratio == 1 ? n_cells : (std::pow(ratio, n_cells) - 1) / (ratio - 1));
     return (end - start) / sum * std::pow(ratio, i);
@@ -171,6 +175,7 @@ namespace Biface
               line += interval.cell_length(i);
             lines.push_back(line * unit);
           }
+        // exactly, so that the next interval starts at the same line
         lines.push_back(interval.end * unit);
       }
     return lines;

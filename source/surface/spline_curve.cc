@@ -33,6 +33,8 @@ namespace Biface
           const double       area = line[0] * way[1] - line[1] * way[0];
           return (area > 0) - (area < 0);
         };
+      // the ends of each on both sides of the other; an end on the other does
+      // not count
       return side(a, b, c) * side(a, b, d) < 0 &&
              side(c, d, a) * side(c, d, b) < 0;
     }
@@ -212,6 +214,7 @@ namespace Biface
               throw InputError(where + "must not turn the curve by more than "
                                        "120 degrees.");
           }
+        // alpha_1 is the length along the polygon, not that of the spline
         knots.push_back(way);
       }
   }
@@ -250,6 +253,7 @@ namespace Biface
   {
     // of the lengths on both sides, relative to the radius
     std::vector<double> factors;
+    // the tangents of the splines on both sides, not the polygon
     for (unsigned int k = 0; k + 1 < parts.size(); ++k)
       {
         const double       s      = parts[k].end;

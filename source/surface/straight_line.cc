@@ -30,6 +30,7 @@ namespace Biface
     unit_direction(const StraightLine::Parameters &parameters)
     {
       for (const Point<2> &point : {parameters.start, parameters.end})
+        // a cone or a disk may end on the axis
         if (!(point[0] >= 0))
           throw InputError("an end of the line 'Surface/Straight line' has "
                            "the radius " +

@@ -28,6 +28,8 @@ namespace Biface
     const double                 cosine = std::cos(alpha[1]);
     const double                 sine   = std::sin(alpha[1]);
 
+    // the normal points to the right of the meridian, and curvatures are
+    // positive where it points away from their centers, section 1
     SurfacePoint point;
     point.position  = Point<3>(r * cosine, curve.position[1], r * sine);
     point.frame[0]  = Tensor<1, 3>({d[0] * cosine, d[1], d[0] * sine}) / A_1;

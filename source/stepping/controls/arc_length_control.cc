@@ -25,8 +25,13 @@ namespace Biface
                        const LA::Vector & /*dV_R*/,
                        const LA::Vector &dV_q) const override
       {
+        // only the first iteration changes the loads; the others find the
+        // equilibrium with them
         if (iteration.total.norm_sqr() > 0)
           return 0;
+        // a stable start goes toward the loads; an unstable one, or one whose
+        // pivots are not counted, as the last step did; from rest the parity of
+        // the pivots decides, section 7
         const auto &n_negative = iteration.n_negative_pivots;
         bool        forward    = true;
         if (n_negative != 0u && previous.size() > 0 && previous.norm_sqr() > 0)
@@ -83,6 +88,7 @@ namespace Biface
         const double      size  = total.norm_sqr();
         if (size == 0)
           return (previous * dV_q < 0 ? -length : length) / dV_q.l2_norm();
+        // |total + dV_R + dmu dV_q| = s, linearized about the total change
         return ((length * length - size) / 2 - total * dV_R) / (total * dV_q);
       }
 
@@ -118,6 +124,7 @@ namespace Biface
   void
   ArcLengthControl::begin(const Equilibrium &from)
   {
+    // here also what was not known before the run
     check_loads_follow(stage, KnownStart::at(from.level));
     Control::begin(from);
     load_fraction = 0;
@@ -132,6 +139,7 @@ namespace Biface
     Trial trial;
     trial.level = [this](const LoadParameters &mu) { return level_at(mu[0]); };
     trial.mu    = {load_fraction};
+    // no length is known yet: the first step prescribes the loads and finds it
     if (n_steps == 0)
       trial.equations = std::make_shared<const FirstStepEquation>(
         load_rate(), size.get(), from.last_change);
@@ -185,6 +193,7 @@ namespace Biface
   std::string
   ArcLengthControl::stop_reason() const
   {
+    // a path that turns back before the loads would be followed without end
     if (n_steps == 0 || n_steps < parameters.max_arc_steps)
       return {};
     return "the loads of the stage '" + stage.name +

@@ -51,6 +51,7 @@ namespace Biface
       end,
       stage,
       from);
+    // it follows from the rolling radius that the run will find
     if (stage.slip_ratio)
       end.angular_velocity.reset();
     return end;
@@ -87,6 +88,8 @@ namespace Biface
   bool
   Control::change_stage(const Stage &now, const LoadLevel &reached)
   {
+    // other values change where the stage goes, the steps only how it is
+    // divided
     bool same_path = stage.force == now.force &&
                      stage.axle_moment == now.axle_moment &&
                      stage.control_value == now.control_value;
@@ -112,10 +115,13 @@ namespace Biface
   Control::common_part(const std::vector<Progression> &progressions)
   {
     std::optional<double> part;
+    // by the first one that changes
     for (const Progression &progression : progressions)
       if (!part && progression.end != progression.start)
         part = (progression.now - progression.start) /
                (progression.end - progression.start);
+    // if the others have gone another part of their way, the new path does not
+    // pass through what was reached; sums of steps have round-off
     for (const Progression &progression : progressions)
       {
         const double done = progression.now - progression.start;
@@ -147,6 +153,7 @@ namespace Biface
   Control::level_at(const double fraction) const
   {
     const LoadLevel end = stage.end(start);
+    // the values of the file, without the round-off of an interpolation
     if (fraction == 1)
       return end;
     return interpolated_loads(start, end, fraction);
@@ -158,6 +165,7 @@ namespace Biface
   {
     const LoadLevel end = stage.end(start);
     LoadRates       rate;
+    // without motions of the ground, which check_loads_follow() refuses
     rate.pressure         = end.pressure - start.pressure;
     rate.factors          = change_of_factors(start, end);
     rate.angular_velocity = end.angular_velocity - start.angular_velocity;
@@ -168,6 +176,7 @@ namespace Biface
   void
   check_loads_follow(const Stage &stage, const Control::KnownStart &start)
   {
+    // what is not known before the run may change
     const auto stays = [](const auto &begin, const auto &end) {
       return !end || (begin && *begin == *end);
     };
@@ -203,6 +212,8 @@ namespace Biface
   void
   check_nothing_prescribed(const Stage &stage, const ShellMesh &mesh)
   {
+    // like a motion of the ground, a prescribed displacement is no force that a
+    // load parameter scales
     for (unsigned int i = 0; i < stage.factors.size(); ++i)
       if (stage.factors[i] && mesh.prescribes_displacements(i))
         throw InputError("the stage '" + stage.name +

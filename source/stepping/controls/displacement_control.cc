@@ -26,9 +26,11 @@ namespace Biface
           const Node        &node = mesh.nodes[n];
           const Tensor<1, 3> unit = direction(
             stage.control_component, node.surface, mesh.get_surface().axis());
+          // the means of both faces are unknowns of their own, section 7
           for (unsigned int i = 0; i < 3; ++i)
             functional(node.dof(i, MixedElement::mean)) = unit[i];
         }
+      // collective, also on ranks without the node
       functional.compress(VectorOperation::insert);
       return functional;
     }
@@ -109,6 +111,8 @@ namespace Biface
   void
   DisplacementControl::check_value(const double start_value) const
   {
+    // equal steps of 0 determine no loads, and a violation relative to them is
+    // not a number
     if (stage.control_value == start_value)
       throw InputError("the stage '" + stage.name +
                        "' prescribes a displacement of " +
@@ -133,6 +137,7 @@ namespace Biface
   void
   DisplacementControl::begin(const Equilibrium &from)
   {
+    // here also what was not known before the run
     check_loads_follow(stage, KnownStart::at(from.level));
     EqualSteps::begin(from);
     load_fraction                 = 0;
@@ -210,6 +215,8 @@ namespace Biface
     const std::optional<double> load_part =
       common_part(progressions_of_loads(reached, now.end(start)));
     std::optional<double> part;
+    // both must lie on the new path, each with a part of its own, since the
+    // response is not linear
     if (load_part)
       part = common_part({{start_value, value, now.control_value}});
     if (go_on_from(part, reached))

@@ -29,6 +29,7 @@ namespace Biface
         resultants.push_back(controlled_force());
       if (stage.prescribes_axle_moment())
         resultants.push_back(controlled_axle_moment());
+      // bodies pushed by forces come on top, also of 'Control = load'
       for (const MotionByForce &motion : stage.motions_by_force)
         resultants.push_back(controlled_motion(motion, stage.factors.size()));
       return resultants;

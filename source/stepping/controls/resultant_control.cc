@@ -49,6 +49,7 @@ namespace Biface
             const Control::KnownStart & /*start*/) const override
       {
         check_ground(stage, section);
+        // it is the unknown: a given one would be left out without a word
         if (stage.travel.value_or(0) != 0)
           throw InputError(section + "/Travel",
                            number_to_string(*stage.travel),
@@ -69,6 +70,8 @@ namespace Biface
                const Loads                  &loads,
                const std::vector<LoadRates> &rates) const override
       {
+        // a body on the ground carries a part of the force: its power by a unit
+        // of the travel
         ContactResultant result =
           ground_force(contact.ground(), state, loads, rates);
         for_each_on_ground(contact, loads, [&](const ContactPair &pair) {
@@ -109,6 +112,8 @@ namespace Biface
       guess(const Control::Equilibrium &from,
             const LoadLevel & /*next*/) const override
       {
+        // out of contact the force does not depend on the travel, and no
+        // linearization tells how far to go
         double      travel = from.level.travel;
         const Loads loads  = from.loads(from.level);
         if (!touches(from.contact, from.state, loads))
@@ -194,6 +199,8 @@ namespace Biface
           throw InputError(section + "/Angular velocity",
                            number_to_string(*stage.angular_velocity),
                            with + "it must not be set: it is computed");
+        // the first guess of the angular velocity is proportional to that of
+        // the ground: from 0, the wheel would not roll
         const double velocity =
           stage.ground_velocity.value_or(start.ground_velocity.value_or(0));
         if (velocity == 0)
@@ -324,6 +331,8 @@ namespace Biface
       {
         ContactResultant result =
           power_of_body(pair(contact), state, loads, rate(), rates);
+        // the power by a unit of the factor becomes a force along the
+        // translation, or a moment about the axis of a motion that only turns
         result.value /= amplitude;
         result.magnitude /= amplitude;
         result.gradient /= amplitude;
@@ -345,6 +354,8 @@ namespace Biface
             const ContactResultant &now,
             const ControlEquations::Iteration & /*iteration*/) const override
       {
+        // for a body that gives way the prescribed force is 0, and round-off is
+        // in proportion to the forces that cancel
         return std::abs(prescribed) + now.magnitude;
       }
 
@@ -390,6 +401,7 @@ namespace Biface
       {
         constexpr double largest_turn = 0.1;
 
+        // in radians: beyond it, a turn is far from its linearization
         const double turn = std::abs(of_stage.motion.turn);
         return turn > 0 ? largest_turn / turn
                         : std::numeric_limits<double>::infinity();
@@ -400,12 +412,15 @@ namespace Biface
         const double                       prescribed,
         const ControlEquations::Iteration &iteration) const override
       {
+        // a spring determines the place without contact, and a body without
+        // force may stay where it is
         const ContactPair &body = pair(iteration.contact);
         if (of_stage.motion.spring > 0 || prescribed == 0 ||
             count_active(body, iteration.state) > 0)
           return {};
         // into the shell by a small part of its thickness
         LoadRates direction = rate();
+        // by a unit of the motion, in the direction of the force
         direction.factors[factor] =
           std::copysign(1., prescribed * amplitude) / std::abs(amplitude);
         const double way =
@@ -479,6 +494,8 @@ namespace Biface
                         const LA::Vector              &dV_R,
                         const std::vector<LA::Vector> &dV_q) const override
       {
+        // out of contact a resultant and its derivatives vanish, and the system
+        // is singular: first this load alone moves
         const unsigned int n = resultants.size();
         for (unsigned int i = 0; i < n; ++i)
           if (const auto change =
@@ -491,6 +508,8 @@ namespace Biface
 
         LoadParameters changes =
           parameter_changes_about(iteration, iteration, dV_R, dV_q);
+        // all changes are shortened alike, to keep the direction of the linear
+        // solution
         double part = 1;
         for (unsigned int i = 0; i < n; ++i)
           if (std::isfinite(changes[i]))
@@ -508,6 +527,8 @@ namespace Biface
         const LA::Vector              &dV_R,
         const std::vector<LA::Vector> &dV_q) const override
       {
+        // the system of section 7, with a row for each resultant and a column
+        // for each unknown load
         const unsigned int       n = resultants.size();
         LAPACKFullMatrix<double> matrix(n);
         Vector<double>           missing(n);
@@ -515,6 +536,8 @@ namespace Biface
           {
             const ContactResultant linear = resultants[i]->evaluate(
               about.contact, about.state, about.loads, rates);
+            // derivatives are those of 'about', what is missing that of the
+            // iterate
             const double now =
               (&about == &iteration
                  ? linear.value
@@ -549,6 +572,7 @@ namespace Biface
           {
             const ContactResultant now = resultants[i]->evaluate(
               iteration.contact, iteration.state, iteration.loads, {});
+            // also where the scale is 0, as of nothing that touches
             if (now.value == values[i])
               continue;
             const double relative =
@@ -589,6 +613,7 @@ namespace Biface
   ResultantControl::known_end(const KnownStart &start) const
   {
     KnownStart end = EqualSteps::known_end(start);
+    // found in the run, so that later stages cannot be checked against it
     for (const auto &resultant : resultants)
       resultant->known_load(end).reset();
     return end;
@@ -610,6 +635,8 @@ namespace Biface
                        "' has 'Control = " + stage.control_name() +
                        "' and must start in contact, such as after a stage "
                        "with 'Control = foundation force'.");
+    // the path starts from what ground and bodies exert here, so that the first
+    // step is no larger than the others
     const Loads loads = from.loads(from.level);
     for (unsigned int i = 0; i < resultants.size(); ++i)
       start_values[i] =
@@ -623,6 +650,7 @@ namespace Biface
     const double    part = next();
     const LoadLevel end  = level_at(part);
     Trial           trial;
+    // all other loads follow the fraction of the stage
     trial.level = [this, end](const LoadParameters &mu) {
       LoadLevel level = end;
       for (unsigned int i = 0; i < resultants.size(); ++i)
@@ -680,6 +708,8 @@ namespace Biface
     for (unsigned int i = 0; i < resultants.size(); ++i)
       progressions.push_back(
         {start_values[i], values[i], resultants[i]->end(now)});
+    // loads and resultants that are on no common part of the new path are its
+    // start
     if (!go_on_from(common_part(progressions), reached))
       start_values = values;
   }

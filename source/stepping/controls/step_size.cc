@@ -10,6 +10,8 @@ namespace Biface
   void
   StepSize::succeeded(const double growth, const double maximum)
   {
+    // cuts are given back one by one, so that a hard part of the path does not
+    // use up those of the rest
     value  = std::min(growth * value, maximum);
     n_cuts = (n_cuts > 0 ? n_cuts - 1 : 0);
   }
@@ -29,6 +31,7 @@ namespace Biface
   double
   step_growth(const double wanted, const unsigned int iterations)
   {
+    // the root damps the change, since the iterations of a single step scatter
     return std::sqrt(wanted / std::max(1u, iterations));
   }
 } // namespace Biface
