@@ -145,7 +145,7 @@ namespace Biface
     for (const Stage &stage : parameters.stages)
       is_symmetric =
         is_symmetric &&
-        !(stage.contact && !parameters.contact.friction.coefficient.is_zero());
+        !(stage.contact && !parameters.friction_in(stage).is_zero());
     const bool is_small =
       is_symmetric || parameters.linear_solver.is_iterative();
     const double of_node = (is_small ? symmetric : unsymmetric) *
