@@ -130,6 +130,16 @@ namespace Biface
                              const NodalVector     &V)
     : geometry(geometry)
   {
+    if (of_vectors())
+      {
+        cell_change = vectors_of(V);
+        cell        = geometry.quadrilateral->undeformed();
+        for (unsigned int k = 0; k < Quadrilateral::n_vectors; ++k)
+          cell[k] += cell_change[k];
+        if (with_normal_thickness())
+          shear = NormalThickness::shear(strain_of_directors());
+        return;
+      }
     for (unsigned int q = 0; q < 4; ++q)
       gradients[q] = displacement_gradient(geometry, V, q);
     if (with_means())
@@ -159,9 +169,61 @@ namespace Biface
   }
 
 
+  Quadrilateral::Vectors
+  MixedElement::vectors_of(const NodalVector &V) const
+  {
+    Quadrilateral::NodalVectors nodal;
+    for (unsigned int q = 0; q < 4; ++q)
+      for (const auto part : {mean, half_difference})
+        nodal[4 * part + q] =
+          geometry.vertices[q].axes * nodal_value(V, q, part);
+    return geometry.quadrilateral->vectors(nodal);
+  }
+
+
+  MixedElement::NodalVector
+  MixedElement::forces_of(const Quadrilateral::Vectors &conjugate) const
+  {
+    const auto  nodal = geometry.quadrilateral->conjugate_at_nodes(conjugate);
+    NodalVector force;
+    for (unsigned int q = 0; q < 4; ++q)
+      for (const auto part : {mean, half_difference})
+        {
+          const Tensor<1, 3> f =
+            nodal[4 * part + q] * geometry.vertices[q].axes;
+          for (unsigned int i = 0; i < 3; ++i)
+            force[dof(q, i, part)] = f[i];
+        }
+    return force;
+  }
+
+
+  Quadrilateral::Form
+  MixedElement::second_variation(const Modes::Vector &H) const
+  {
+    Modes::Vector weighted = H;
+    for (const Modes::Group &group : Modes::groups)
+      for (unsigned int i = 0; i < group.size; ++i)
+        weighted[group.first_mode + i] *= group.weight(i);
+    const Quadrilateral &quadrilateral = *geometry.quadrilateral;
+    return quadrilateral.form(quadrilateral.covariant_resultants(weighted));
+  }
+
+
   Modes::Vector
   MixedElement::strain_of_directors() const
   {
+    if (of_vectors())
+      {
+        // |x|^2 - |X|^2 = (x - X) . (x + X)
+        const Quadrilateral   &quadrilateral = *geometry.quadrilateral;
+        Quadrilateral::Vectors mean          = cell_change;
+        for (unsigned int k = 0; k < mean.size(); ++k)
+          mean[k] = quadrilateral.undeformed()[k] + cell_change[k] / 2;
+        return quadrilateral.physical(
+          quadrilateral.products(cell_change, mean));
+      }
+
     std::array<Resultants::Vector, 4> at_vertices;
     for (unsigned int q = 0; q < 4; ++q)
       at_vertices[q] =
@@ -187,6 +249,17 @@ namespace Biface
   Modes::Vector
   MixedElement::strain_variation(const NodalVector &dV) const
   {
+    if (of_vectors())
+      {
+        const Quadrilateral &quadrilateral = *geometry.quadrilateral;
+        Modes::Vector        E =
+          quadrilateral.physical(quadrilateral.products(cell, vectors_of(dV)));
+        if (with_normal_thickness())
+          NormalThickness::subtract_products(
+            shear, NormalThickness::shear(E), 1, E);
+        return E;
+      }
+
     std::array<DisplacementGradient, 4> variation;
     std::array<Resultants::Vector, 4>   at_vertices;
     for (unsigned int q = 0; q < 4; ++q)
@@ -212,6 +285,16 @@ namespace Biface
   Modes::Vector
   MixedElement::nonlinear_strain() const
   {
+    if (of_vectors())
+      {
+        const Quadrilateral &quadrilateral = *geometry.quadrilateral;
+        Modes::Vector        eta           = quadrilateral.physical(
+          quadrilateral.products(cell_change, cell_change) / 2);
+        if (with_normal_thickness())
+          NormalThickness::subtract_products(shear, shear, 0.5, eta);
+        return eta;
+      }
+
     std::array<Resultants::Vector, 4> at_vertices;
     for (unsigned int q = 0; q < 4; ++q)
       {
@@ -235,6 +318,9 @@ namespace Biface
   Modes::Vector
   MixedElement::hourglass_strain(const NodalVector &dV) const
   {
+    if (of_vectors())
+      return geometry.quadrilateral->hourglass_strain(vectors_of(dV));
+
     std::array<DisplacementGradient, 4> variation;
     for (unsigned int q = 0; q < 4; ++q)
       variation[q] = displacement_gradient(geometry, dV, q);
@@ -268,6 +354,17 @@ namespace Biface
 
     // initial resultants do work on the nonlinear part of the strains only: in
     // the undeformed shape, constant forces balance them
+    if (of_vectors())
+      {
+        Quadrilateral::Vectors conjugate =
+          Quadrilateral::apply(second_variation(geometry.weight * H),
+                               geometry.quadrilateral->undeformed());
+        const Quadrilateral::Vectors of_change = Quadrilateral::apply(
+          second_variation(geometry.weight * (H + H_0)), cell_change);
+        for (unsigned int k = 0; k < conjugate.size(); ++k)
+          conjugate[k] += of_change[k];
+        return forces_of(conjugate);
+      }
     const auto at_vertices = Modes::to_vertices(geometry.weight * H);
     const auto total_at_vertices =
       Modes::to_vertices(geometry.weight * (H + H_0));
@@ -326,6 +423,13 @@ namespace Biface
         force += internal_force(
           NormalThickness::resultants(NormalThickness::shear(dE), resultants),
           Modes::Vector());
+      }
+
+    if (of_vectors())
+      {
+        force += forces_of(Quadrilateral::apply(
+          second_variation(geometry.weight * H), vectors_of(dV)));
+        return force;
       }
 
     std::array<DisplacementGradient, 4> variation;
@@ -469,6 +573,25 @@ namespace Biface
 
 
   void
+  MixedElement::strain_matrix_of_vectors(StrainMatrix &B) const
+  {
+    alignas(64) Quadrilateral::Rows rows;
+    geometry.quadrilateral->variation(cell, rows);
+    for (unsigned int m = 0; m < Modes::n; ++m)
+      for (unsigned int part = 0; part < 2; ++part)
+        for (unsigned int q = 0; q < 4; ++q)
+          {
+            const Tensor<2, 3> &axes = geometry.vertices[q].axes;
+            const unsigned int  k    = n_of_part * part + 3 * q;
+            for (unsigned int i = 0; i < 3; ++i)
+              B[m][k + i] = rows[m][k] * axes[0][i] +
+                            rows[m][k + 1] * axes[1][i] +
+                            rows[m][k + 2] * axes[2][i];
+          }
+  }
+
+
+  void
   MixedElement::strain_matrix(StrainMatrix &B) const
   {
     const VariationAtVertices variation(geometry, gradients);
@@ -541,7 +664,35 @@ namespace Biface
       void
       add_director(const ElementGeometry    &geometry,
                    const MeanDirector::Form &form);
+
+      /** All of it for a Quadrilateral. */
+      void
+      add_vectors(const ElementGeometry          &geometry,
+                  const Quadrilateral::NodalForm &form);
     };
+
+
+    void
+    SecondVariation::add_vectors(const ElementGeometry          &geometry,
+                                 const Quadrilateral::NodalForm &form)
+    {
+      for (unsigned int q = 0; q < 4; ++q)
+        for (unsigned int r = 0; r < 4; ++r)
+          {
+            const Tensor<2, 3> turn    = geometry.turn(q, r);
+            const double       by_mean = form[q][r] / 2;
+            const double       mixed   = form[4 + q][r];
+            const double       by_half = form[4 + q][4 + r] / 2 - by_mean;
+            for (unsigned int i = 0; i < 3; ++i)
+              for (unsigned int j = 0; j < 3; ++j)
+                {
+                  const unsigned int k = 3 * q + i, l = 3 * r + j;
+                  sum[k][l] += by_mean * turn[i][j];
+                  director_sum[k][l] += mixed * turn[i][j];
+                  director_difference[k][l] += by_half * turn[i][j];
+                }
+          }
+    }
 
 
     void
@@ -587,8 +738,6 @@ namespace Biface
       };
 
       // half of the symmetric matrix, to which add_tangent() adds its transpose
-      const bool turns = geometry.interpolation != Interpolation::components;
-
       for (unsigned int q = 0; q < 4; ++q)
         {
           const ElementGeometry::Vertex &vertex = geometry.vertices[q];
@@ -600,7 +749,7 @@ namespace Biface
           const std::array<double, 2>      &slope  = vertex.slope;
           const double                      d_beta = 2 / vertex.thickness;
 
-          // g_a = own_a v_q - slope_a turn_a v_neighbor, see ElementGeometry
+          // g_a = own_a v_q - slope_a v_neighbor, see ElementGeometry
           std::array<Tensor<2, 3>, 2> own;
           for (unsigned int a = 0; a < 2; ++a)
             {
@@ -632,38 +781,19 @@ namespace Biface
                        transpose(own[1]) * coupled[1]));
             for (unsigned int a = 0; a < 2; ++a)
               {
-                add(of_faces,
-                    neighbor[a],
-                    q,
-                    -slope[a] * (turns ? transpose(vertex.turn[a]) * coupled[a]
-                                       : coupled[a]));
+                add(of_faces, neighbor[a], q, -slope[a] * coupled[a]);
                 add_scalar(of_faces,
                            neighbor[a],
                            neighbor[a],
                            slope[a] * slope[a] * gg[a] / 2);
               }
-            if (turns)
-              add(of_faces,
-                  neighbor[0],
-                  neighbor[1],
-                  slope[0] * slope[1] * gg[2] *
-                    (transpose(vertex.turn[0]) * vertex.turn[1]));
-            else
-              add_scalar(of_faces,
-                         neighbor[0],
-                         neighbor[1],
-                         slope[0] * slope[1] * gg[2]);
+            add_scalar(
+              of_faces, neighbor[0], neighbor[1], slope[0] * slope[1] * gg[2]);
 
             add(of_director, q, q, d_beta * (gb[0] * own[0] + gb[1] * own[1]));
             for (unsigned int a = 0; a < 2; ++a)
-              if (turns)
-                add(of_director,
-                    q,
-                    neighbor[a],
-                    -slope[a] * d_beta * gb[a] * vertex.turn[a]);
-              else
-                add_scalar(
-                  of_director, q, neighbor[a], -slope[a] * d_beta * gb[a]);
+              add_scalar(
+                of_director, q, neighbor[a], -slope[a] * d_beta * gb[a]);
           };
           add_products(1, sum, director_sum);
           add_products(-1, difference, director_difference);
@@ -981,21 +1111,32 @@ namespace Biface
       H += NormalThickness::resultants(shear, resultants);
 
     alignas(64) StrainMatrix B;
-    strain_matrix(B);
-    SecondVariation variation;
-    variation.add_vertices(geometry, Modes::to_vertices(geometry.weight * H));
-    if (with_means())
+    SecondVariation          variation;
+    if (of_vectors())
       {
-        const StrainMeans::Maps maps(geometry);
-        add_mean_terms(maps, B);
-        variation.add_means(geometry, maps, geometry.weight * H);
+        strain_matrix_of_vectors(B);
+        variation.add_vectors(geometry,
+                              geometry.quadrilateral->at_nodes(
+                                second_variation(geometry.weight * H)));
       }
-    if (with_mean_director())
+    else
       {
-        add_director_terms(B);
-        variation.add_director(
-          geometry,
-          MeanDirector::Form::of_resultants(geometry, geometry.weight * H));
+        strain_matrix(B);
+        variation.add_vertices(geometry,
+                               Modes::to_vertices(geometry.weight * H));
+        if (with_means())
+          {
+            const StrainMeans::Maps maps(geometry);
+            add_mean_terms(maps, B);
+            variation.add_means(geometry, maps, geometry.weight * H);
+          }
+        if (with_mean_director())
+          {
+            add_director_terms(B);
+            variation.add_director(
+              geometry,
+              MeanDirector::Form::of_resultants(geometry, geometry.weight * H));
+          }
       }
     alignas(64) ShearMatrix G;
     if (with_normal_thickness())

@@ -81,6 +81,53 @@ namespace Biface
 
 
   void
+  ModeStiffness::turn(const std::array<std::array<Tensor<1, 2>, 2>, 2> &faces,
+                      const std::array<Tensor<1, 2>, 2>                &middle)
+  {
+    using namespace Resultants;
+    using Modes::twist;
+
+    for (unsigned int a = 0; a < 2; ++a)
+      {
+        const Modes::Group &group = Modes::groups[1 + a];
+        // the strains of the laminate, by those of the group
+        std::array<Resultants::Vector, twist + 1> strains;
+        for (unsigned int face = 0; face < 2; ++face)
+          {
+            const auto  &t    = faces[face];
+            const double sign = (face == inner ? -1. : 1.);
+            for (unsigned int i = 0; i < 2; ++i)
+              {
+                strains[tangential(a, face)][tangential(i, face)] =
+                  t[a][i] * t[a][i];
+                strains[twist][tangential(i, face)] = sign * t[0][i] * t[1][i];
+                strains[transverse(a, face)][transverse(i, face)] =
+                  middle[a][i];
+              }
+            strains[tangential(a, face)][tangential(2, face)] =
+              2 * t[a][0] * t[a][1];
+            strains[twist][tangential(2, face)] =
+              sign * (t[0][0] * t[1][1] + t[0][1] * t[1][0]);
+          }
+        strains[thickness][thickness] = 1;
+
+        const auto law = D[1 + a];
+        for (unsigned int i = 0; i < group.size; ++i)
+          for (unsigned int j = 0; j < group.size; ++j)
+            {
+              const unsigned int s = group.strains[i], t = group.strains[j];
+              double             sum = 0;
+              for (unsigned int k = 0; k < Resultants::n; ++k)
+                for (unsigned int l = 0; l < Resultants::n; ++l)
+                  sum += strains[s][k] * law[k][l] * strains[t][l];
+              // the resultant of the twist is the mean of the faces
+              D[1 + a][s][t] = (s == twist ? sum / 2 : sum);
+            }
+      }
+  }
+
+
+  void
   ModeStiffness::release_thickness_strain(const Resultants::Matrix &softest)
   {
     constexpr unsigned int thickness = Resultants::thickness;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include <biface/element/quadrilateral.h>
 #include <biface/element/shell_fe_values.h>
 #include <biface/element/strain_means.h>
 #include <biface/surface/reference_surface.h>
@@ -79,15 +80,15 @@ namespace Biface
             vertex.axes[i][j] = point.frame[j][i];
       }
 
-    for (unsigned int q = 0; q < 4; ++q)
-      for (unsigned int a = 0; a < 2; ++a)
-        geometry.vertices[q].turn[a] = geometry.turn(q, q ^ (1 << a));
-    if (geometry.interpolation != Interpolation::components)
-      interpolate_positions(face_heights);
-
     set_stations(face_heights);
 
     center = surface.evaluate(surface.pull_back(at_center.quadrature_point(0)));
+    if (geometry.interpolation == Interpolation::Cartesian)
+      {
+        interpolate_positions(face_heights, wall_thickness);
+        return;
+      }
+
     const ThicknessMetric metric(center.curvature, heights_at_center);
     geometry.weight = JxW() * metric.zeta_bar[0] * metric.zeta_bar[1];
 
@@ -179,7 +180,8 @@ namespace Biface
 
 
   void
-  ShellFEValues::interpolate_positions(const FaceHeights &face_heights)
+  ShellFEValues::interpolate_positions(const FaceHeights &face_heights,
+                                       const double       wall_thickness)
   {
     const auto position = [&](const unsigned int q, const unsigned int face) {
       return points[q].position + face_heights[q][face] * points[q].frame[2];
@@ -200,5 +202,26 @@ namespace Biface
               tangent /= vertex.metric.zeta[face][a];
             }
         }
+
+    Quadrilateral::Shape shape;
+    for (unsigned int q = 0; q < 4; ++q)
+      {
+        shape.positions[q] = points[q].position;
+        shape.normals[q]   = points[q].frame[2];
+      }
+    shape.heights   = face_heights;
+    shape.direction = center.frame[0];
+    Quadrilateral::Options options;
+    options.sampling = geometry.sampling;
+    options.mean_director =
+      (geometry.thickness_strain != ThicknessStrain::vertices);
+    options.wall_thickness = wall_thickness;
+    geometry.quadrilateral =
+      std::make_shared<const Quadrilateral>(shape, options);
+    geometry.weight = geometry.quadrilateral->area();
+    // the modes of lines of curvature are components in their frame
+    Assert(std::abs(geometry.quadrilateral->directions()[0][0][0] - 1) < 1e-4 &&
+             std::abs(geometry.quadrilateral->directions()[0][1][1] - 1) < 1e-4,
+           ExcMessage("The sides of cells must be coordinate lines."));
   }
 } // namespace Biface

@@ -7,7 +7,7 @@
 #include <biface/laminate/layup.h>
 
 #include "one_cell.h"
-#include <boost/property_tree/json_parser.hpp>
+#include "reference_values.h"
 #include <cord_ply.h>
 #include <tests.h>
 
@@ -16,35 +16,6 @@ using namespace Biface;
 
 namespace
 {
-  std::vector<double>
-  values_of(const boost::property_tree::ptree &node)
-  {
-    if (node.empty())
-      return {node.get_value<double>()};
-    std::vector<double> numbers;
-    for (const auto &child : node)
-      for (const double number : values_of(child.second))
-        numbers.push_back(number);
-    return numbers;
-  }
-
-
-  template <typename Vector>
-  void
-  compare(const std::string         &what,
-          const Vector              &ours,
-          const std::vector<double> &reference)
-  {
-    double deviation = 0, scale = 0;
-    for (unsigned int i = 0; i < reference.size(); ++i)
-      {
-        deviation = std::max(deviation, std::abs(ours[i] - reference[i]));
-        scale     = std::max(scale, std::abs(reference[i]));
-      }
-    check_small(what, deviation, 1e-11, scale);
-  }
-
-
   // the reference lists nodes with alpha_2 running fastest
   constexpr unsigned int reference_node[4] = {0, 2, 1, 3};
 
@@ -83,12 +54,7 @@ namespace
 int
 main()
 {
-  boost::property_tree::ptree reference;
-  boost::property_tree::read_json(DATA_DIR "/bias_tire_element.json",
-                                  reference);
-  const auto values = [&](const std::string &name) {
-    return values_of(reference.get_child(name));
-  };
+  const ReferenceValues values("bias_tire_element.json");
 
   Layup::Parameters parameters;
   const Laminate    laminate = Layup(parameters, cord_ply()).laminate(0);

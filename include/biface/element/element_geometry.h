@@ -7,6 +7,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <array>
+#include <memory>
 
 #include <biface/element/interpolation.h>
 #include <biface/element/mean_vectors.h>
@@ -16,6 +17,9 @@
 
 namespace Biface
 {
+  class Quadrilateral;
+
+
   /**
    * The geometry of the shell in an element, computed once by ShellFEValues and
    * then used in every iteration. Independent of the kind of surface.
@@ -36,12 +40,6 @@ namespace Biface
       /** The matrix of the derivative in frame components, see
        * SurfacePoint::connection(). Zero if vectors are interpolated. */
       std::array<dealii::Tensor<2, 3>, 2> connection;
-
-      /** The matrix that turns the components of the neighbor along
-       * @f$\alpha_a@f$ into those that are subtracted at this vertex: the unit
-       * tensor if components are interpolated, those of the same vector in the
-       * frame of this vertex if vectors are. */
-      std::array<dealii::Tensor<2, 3>, 2> turn;
 
       ThicknessMetric metric;
 
@@ -95,7 +93,9 @@ namespace Biface
     Stations stations;
 
     /** The matrix that turns components at vertex @p s before the interpolation
-     * adds them to components at vertex @p r, see Vertex::turn. */
+     * adds them to components at vertex @p r: the unit tensor if components are
+     * interpolated, those of the same vector in the frame of @p r if vectors
+     * are. */
     dealii::Tensor<2, 3>
     turn(const unsigned int r, const unsigned int s) const
     {
@@ -117,24 +117,21 @@ namespace Biface
                const dealii::Tensor<1, 3> &own,
                const dealii::Tensor<1, 3> &other) const
     {
-      const Vertex        &vertex = vertices[q];
+      const Vertex &vertex = vertices[q];
+      if (interpolation == Interpolation::Cartesian)
+        return vertex.slope[a] * (own - turn(q, q ^ (1 << a)) * other);
       dealii::Tensor<1, 3> d;
       for (unsigned int i = 0; i < 3; ++i)
-        if (interpolation == Interpolation::components)
-          d[i] = vertex.slope[a] * (own[i] - other[i]) +
-                 vertex.connection[a][i][0] * own[0] +
-                 vertex.connection[a][i][1] * own[1] +
-                 vertex.connection[a][i][2] * own[2];
-        else
-          d[i] = vertex.slope[a] * (own[i] - vertex.turn[a][i][0] * other[0] -
-                                    vertex.turn[a][i][1] * other[1] -
-                                    vertex.turn[a][i][2] * other[2]);
+        d[i] = vertex.slope[a] * (own[i] - other[i]) +
+               vertex.connection[a][i][0] * own[0] +
+               vertex.connection[a][i][1] * own[1] +
+               vertex.connection[a][i][2] * own[2];
       return d;
     }
 
     /** The vectors that are work-conjugate to the components at the vertex and
      * at its neighbor, from the vector @p p that is to the derivative: the
-     * transpose of derivative(). */
+     * transpose of derivative(), where components are interpolated. */
     std::array<dealii::Tensor<1, 3>, 2>
     conjugate_of_derivative(const unsigned int          q,
                             const unsigned int          a,
@@ -143,21 +140,13 @@ namespace Biface
       const Vertex                       &vertex = vertices[q];
       std::array<dealii::Tensor<1, 3>, 2> result;
       for (unsigned int i = 0; i < 3; ++i)
-        if (interpolation == Interpolation::components)
-          {
-            result[0][i] = vertex.slope[a] * p[i] +
-                           p[0] * vertex.connection[a][0][i] +
-                           p[1] * vertex.connection[a][1][i] +
-                           p[2] * vertex.connection[a][2][i];
-            result[1][i] = -vertex.slope[a] * p[i];
-          }
-        else
-          {
-            result[0][i] = vertex.slope[a] * p[i];
-            result[1][i] = -vertex.slope[a] * (p[0] * vertex.turn[a][0][i] +
-                                               p[1] * vertex.turn[a][1][i] +
-                                               p[2] * vertex.turn[a][2][i]);
-          }
+        {
+          result[0][i] = vertex.slope[a] * p[i] +
+                         p[0] * vertex.connection[a][0][i] +
+                         p[1] * vertex.connection[a][1][i] +
+                         p[2] * vertex.connection[a][2][i];
+          result[1][i] = -vertex.slope[a] * p[i];
+        }
       return result;
     }
 
@@ -165,7 +154,7 @@ namespace Biface
      * The constant weight of the element's strains and resultants,
      * @f$w=\bar\mu\,4l_1l_2@f$: the area of the middle surface, with
      * @f$\bar\mu = A_1A_2\bar\zeta_1\bar\zeta_2@f$ at the center of the
-     * element.
+     * element; see Quadrilateral::area() where vectors are interpolated.
      */
     double weight;
 
@@ -174,6 +163,10 @@ namespace Biface
 
     /** The source of the thickness strain; never by_layers. */
     ThicknessStrain thickness_strain = ThicknessStrain::vertices;
+    /** The cell of Interpolation::Cartesian; null where components are
+     * interpolated, which the members below are for. */
+    std::shared_ptr<const Quadrilateral> quadrilateral;
+
     /** The factors @f$\varphi_a@f$ of MeanDirector. */
     std::array<double, 2> director_factor;
 

@@ -10,6 +10,7 @@
 #include <biface/element/mean_director.h>
 #include <biface/element/modes.h>
 #include <biface/element/normal_thickness.h>
+#include <biface/element/quadrilateral.h>
 #include <biface/element/shell_fe_values.h>
 #include <biface/element/strain.h>
 #include <biface/element/strain_means.h>
@@ -21,7 +22,9 @@ namespace Biface
    * eqs. (11)-(13) and (16), at given nodal displacements.
    *
    * The displacements of the two faces are bilinear, with components in the
-   * frame of each node; strains and resultants have the modes of Modes. With
+   * frame of each node; strains and resultants have the modes of Modes. If the
+   * displacement vectors are bilinear, Interpolation::Cartesian, the strains
+   * are those of a Quadrilateral. With
    * @f$\mathbf E(\mathbf V)@f$ the modes of the strains, @f$w@f$ the weight of
    * the element and @f$w_m@f$ those of the modes, the virtual work of
    * resultants @f$\mathbf H@f$ and initial resultants @f$\mathbf H_0@f$ is
@@ -210,6 +213,10 @@ namespace Biface
     const ElementGeometry              &geometry;
     std::array<DisplacementGradient, 4> gradients;
 
+    /** The vectors of the deformed cell, and their change from the undeformed
+     * one; used with Interpolation::Cartesian, alone. */
+    Quadrilateral::Vectors cell, cell_change;
+
     /** The vectors of the deformed element, and their change from the
      * undeformed one; used with StrainSampling::means. */
     MeanVectors vectors, change;
@@ -221,6 +228,13 @@ namespace Biface
     /** The shear strains at the Gauss points; used with
      * ThicknessStrain::normal. */
     NormalThickness::Shear shear{};
+
+    /** Whether the strains are those of a Quadrilateral. */
+    bool
+    of_vectors() const
+    {
+      return geometry.interpolation == Interpolation::Cartesian;
+    }
 
     bool
     with_means() const
@@ -247,6 +261,23 @@ namespace Biface
     /** A row for each strain mode. The columns are sorted part by part, those
      * of a part vertex by vertex. */
     using StrainMatrix = std::array<std::array<double, n_dofs>, Modes::n>;
+
+    /** The vectors that nodal displacements make in the cell, and the nodal
+     * forces that are work-conjugate to vectors. */
+    Quadrilateral::Vectors
+    vectors_of(const NodalVector &V) const;
+    NodalVector
+    forces_of(const Quadrilateral::Vectors &conjugate) const;
+
+    /** The second variation of the strains of a Quadrilateral, weighted by
+     * resultants.
+     * @param H with the weight of the element, without those of modes. */
+    Quadrilateral::Form
+    second_variation(const Modes::Vector &H) const;
+
+    /** Compute @f$\mathbf B = d\mathbf E/d\mathbf V@f$ of a Quadrilateral. */
+    void
+    strain_matrix_of_vectors(StrainMatrix &B) const;
 
     /** Compute @f$\mathbf B = d\mathbf E/d\mathbf V@f$ for strains that are
      * sampled at the vertices. */

@@ -291,6 +291,19 @@ namespace Biface
     void
     release_thickness_strain(const Resultants::Matrix &softest);
 
+    /**
+     * Let the strains that vary be components along the tangents of a cell
+     * instead of the axes of the laminate, see Quadrilateral:
+     * @f$\mathbf D^m=\mathbf T_E^T\mathbf D\mathbf T_E@f$.
+     *
+     * @param faces the tangents of the faces along the axes, unit vectors, as
+     * `faces[face][a]`.
+     * @param middle those of the middle surface.
+     */
+    void
+    turn(const std::array<std::array<dealii::Tensor<1, 2>, 2>, 2> &faces,
+         const std::array<dealii::Tensor<1, 2>, 2>                &middle);
+
     /** The number of strains in a group. */
     unsigned int
     size(const Modes::Group &group) const

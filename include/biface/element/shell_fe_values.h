@@ -101,7 +101,8 @@ namespace Biface
   private:
     /** Replace the exact geometry of the faces by a bilinear one. */
     void
-    interpolate_positions(const FaceHeights &face_heights);
+    interpolate_positions(const FaceHeights &face_heights,
+                          const double       wall_thickness);
 
     /** Set ElementGeometry::stations. */
     void

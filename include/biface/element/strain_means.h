@@ -251,8 +251,7 @@ namespace Biface
                 const dealii::Tensor<2, 3> own =
                   vertex.axes * vertex.connection[a] +
                   vertex.slope[a] * vertex.axes;
-                const dealii::Tensor<2, 3> seen_by_neighbor =
-                  neighbor.axes * neighbor.turn[a];
+                const dealii::Tensor<2, 3> &seen_by_neighbor = neighbor.axes;
                 for (unsigned int face = 0; face < 2; ++face)
                   {
                     const double by_own = 1 / (4 * vertex.metric.zeta[face][a]);

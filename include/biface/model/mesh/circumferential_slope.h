@@ -31,7 +31,7 @@ namespace Biface
     {
       const double lame = mesh.nodes[cell.nodes[q]].surface.lame[1];
       const ElementGeometry::Vertex &vertex = cell.geometry.vertices[q];
-      neighbor = -lame * vertex.slope[1] * vertex.turn[1];
+      neighbor = -lame * vertex.slope[1] * cell.geometry.turn(q, q ^ 2);
       own      = lame * vertex.connection[1];
       for (unsigned int i = 0; i < 3; ++i)
         own[i][i] += lame * vertex.slope[1];
