@@ -582,11 +582,11 @@ namespace Biface
         for (unsigned int q = 0; q < 4; ++q)
           {
             const Tensor<2, 3> &axes = geometry.vertices[q].axes;
-            const unsigned int  k    = n_of_part * part + 3 * q;
+            const unsigned int  r    = 4 * part + q;
             for (unsigned int i = 0; i < 3; ++i)
-              B[m][k + i] = rows[m][k] * axes[0][i] +
-                            rows[m][k + 1] * axes[1][i] +
-                            rows[m][k + 2] * axes[2][i];
+              B[m][n_of_part * part + 3 * q + i] = rows[m][r] * axes[0][i] +
+                                                   rows[m][8 + r] * axes[1][i] +
+                                                   rows[m][16 + r] * axes[2][i];
           }
   }
 

@@ -482,21 +482,19 @@ namespace Biface
   {
     using namespace Resultants;
 
-    // the vectors that multiply the variation of each vector, by modes: of
-    // the products of a mode, add them up before they meet the nodes
     for (auto &row : rows)
       row.fill(0);
     for_products([&](const unsigned int mode,
                      const unsigned int k,
                      const unsigned int l,
                      const double       factor) {
-      auto &row = rows[mode];
-      for (unsigned int r = 0; r < n_nodal; ++r)
+      auto       &row  = rows[mode];
+      const auto &of_k = factors[k], &of_l = factors[l];
+      for (unsigned int i = 0; i < 3; ++i)
         {
-          const double of_k = factor * factors[k][r],
-                       of_l = factor * factors[l][r];
-          for (unsigned int i = 0; i < 3; ++i)
-            row[3 * r + i] += of_k * x[l][i] + of_l * x[k][i];
+          const double by_k = factor * x[l][i], by_l = factor * x[k][i];
+          for (unsigned int r = 0; r < n_nodal; ++r)
+            row[n_nodal * i + r] += by_k * of_k[r] + by_l * of_l[r];
         }
     });
 

@@ -175,7 +175,7 @@ namespace Biface
     at_nodes(const Form &form) const;
 
     /** The rows of the variation of the physical modes at vectors @p x, by the
-     * Cartesian components of the nodal vectors: column 3 r + i for component i
+     * Cartesian components of the nodal vectors: column 8 i + r for component i
      * of nodal vector r. */
     using Rows = std::array<std::array<double, 3 * n_nodal>, Modes::n>;
     void
