@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Time of the work of a Newton iteration in one cell of the bias tire. With the
-// arguments 'count N', each part runs N times without timing, for callgrind.
+// arguments 'count N', each part runs N times without timing, for callgrind;
+// with 'quadrilateral N', those of a cell with means whose vectors are
+// bilinear, and with 'means N' those of the same cell whose components are.
 
-#include <cstring>
 #include <string>
 
 #include <biface/element/follower_pressure.h>
@@ -28,13 +29,16 @@ namespace
     Modes::Vector             H;
     MixedElement::NodalMatrix K;
 
-    explicit Setup(const StrainSampling sampling = StrainSampling::vertices)
+    explicit Setup(
+      const StrainSampling sampling      = StrainSampling::vertices,
+      const Interpolation  interpolation = Interpolation::components)
       : laminate(Layup(Layup::Parameters(), cord_ply()).laminate(0))
       , stiffness(laminate.stiffness(), sampling)
       , geometry(make_cells(torus(),
                             {{"40:45:1", "10:15:1"}},
                             laminate.face_heights(),
-                            sampling)[0]
+                            sampling,
+                            interpolation)[0]
                    .geometry)
     {
       for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
@@ -100,6 +104,16 @@ namespace
 
 
   void
+  residual_and_tangent_of_quadrilateral(benchmark::State &state)
+  {
+    Setup setup(StrainSampling::means, Interpolation::Cartesian);
+    for (auto _ : state)
+      setup.assemble();
+  }
+  BENCHMARK(residual_and_tangent_of_quadrilateral);
+
+
+  void
   update_of_resultants(benchmark::State &state)
   {
     Setup setup;
@@ -123,9 +137,13 @@ namespace
 int
 main(int argc, char **argv)
 {
-  if (argc == 3 && std::strcmp(argv[1], "count") == 0)
+  if (argc == 3)
     {
-      Setup setup;
+      const std::string what = argv[1];
+      Setup             setup(what == "count" ? StrainSampling::vertices
+                                  : StrainSampling::means,
+                  what == "quadrilateral" ? Interpolation::Cartesian
+                                                      : Interpolation::components);
       for (int n = std::stoi(argv[2]); n > 0; --n)
         {
           setup.assemble();
