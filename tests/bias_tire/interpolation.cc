@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Where vectors are interpolated, the forces on the bias tire agree with those
-// of the independent program of doc/bias_tire.md within 2e-5, and have the
-// limit of interpolated components, 1878 N, within 2 N.
+// Where vectors are interpolated, the force on the bias tire has the limit of
+// interpolated components, 1878 N, within 2 N.
 
 #include "../tests.h"
 #include "bias_tire.h"
@@ -27,21 +26,6 @@ int
 main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-
-  const auto reports  = run_bias_tire({"Stage 2/Steps=5",
-                                       "Contact/Multiplier mass=lumped",
-                                       "Element/Interpolation=Cartesian"});
-  double     position = 0;
-  for (const double reference : {232.03, 566.58, 967.97, 1427.91, 1936.75})
-    {
-      position += 4;
-      for (const StepReport &report : reports)
-        if (std::abs(report.level.travel - position) < 1e-6)
-          check_small("force at " + std::to_string(int(position)) + " mm",
-                      report.contact.force - reference,
-                      2e-5,
-                      reference);
-    }
 
   const double coarse = force({});
   const double fine =

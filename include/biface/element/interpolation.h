@@ -15,7 +15,7 @@ namespace Biface
      * element by terms of second order in its size. */
     components,
     /** The displacement vectors and the positions of the faces: no rigid motion
-     * strains the element. */
+     * strains the element, see Quadrilateral. */
     Cartesian
   };
 } // namespace Biface

@@ -205,7 +205,8 @@ namespace Biface
       return tangents;
     }
 
-    /** The same of the middle surface, for the shear. */
+    /** The components of the tangents of the middle surface along the axes of
+     * the material, unit vectors, for the shear. */
     const std::array<dealii::Tensor<1, 2>, 2> &
     middle_directions() const
     {
