@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // A warped cell of any shape and varying thickness, with plies at any angle,
-// has the strains, energy, forces and tangent of an independent program, and
-// they do not depend on which of its vertices is the first one.
+// has the strains, energy, forces and tangent of an independent program; they
+// do not depend on which of its vertices is the first one, nor on which face is
+// the inner one; and a rigid motion of any size does not strain it.
 
 #include <deal.II/lac/lapack_full_matrix.h>
 #include <deal.II/physics/transformations.h>
@@ -138,6 +139,23 @@ namespace
   }
 
 
+  /** The eigenvalues of a tangent, in ascending order. */
+  std::vector<double>
+  eigenvalues_of(const MixedElement::NodalMatrix &K)
+  {
+    LAPACKFullMatrix<double> matrix(MixedElement::n_dofs);
+    for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
+      for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
+        matrix(i, j) = (K[i][j] + K[j][i]) / 2;
+    matrix.compute_eigenvalues();
+    std::vector<double> eigenvalues;
+    for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
+      eigenvalues.push_back(matrix.eigenvalue(i).real());
+    std::sort(eigenvalues.begin(), eigenvalues.end());
+    return eigenvalues;
+  }
+
+
   void
   test(const StrainSampling sampling, const unsigned int first)
   {
@@ -233,16 +251,8 @@ namespace
                       maximum_entry(K));
         else
           {
-            LAPACKFullMatrix<double> matrix(MixedElement::n_dofs);
-            for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
-              for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
-                matrix(i, j) = (K[i][j] + K[j][i]) / 2;
-            matrix.compute_eigenvalues();
-            std::vector<double> eigenvalues;
-            for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
-              eigenvalues.push_back(matrix.eigenvalue(i).real());
-            std::sort(eigenvalues.begin(), eigenvalues.end());
-            double zero = 0;
+            const auto eigenvalues = eigenvalues_of(K);
+            double     zero        = 0;
             for (unsigned int i = 0; i < 6; ++i)
               zero = std::max(zero, std::abs(eigenvalues[i]));
             check_small(
@@ -255,6 +265,122 @@ namespace
           }
       }
   }
+
+
+  /** A turn by 163 degrees and a translation. */
+  void
+  test_rigid_motion(const StrainSampling sampling)
+  {
+    const Cell         cell(sampling, 0);
+    const Tensor<1, 3> axis({2. / 7, -3. / 7, 6. / 7});
+    const Tensor<2, 3> turn =
+      Physics::Transformations::Rotations::rotation_matrix_3d(
+        Point<3>(axis), 163 * numbers::PI / 180);
+    const auto X = reference("X"), n = reference("normals"),
+               inner = reference("delta_minus"),
+               outer = reference("delta_plus");
+    MixedElement::NodalVector V;
+    for (unsigned int q = 0; q < 4; ++q)
+      for (unsigned int face = 0; face < 2; ++face)
+        {
+          const unsigned int v = cell.vertices[q];
+          const Tensor<1, 3> P =
+            vector_at(X, v) + (face ? outer[v] : inner[v]) * vector_at(n, v);
+          const Tensor<1, 3> u = turn * P - P + Tensor<1, 3>({5, -2, 3});
+          add_face_displacement(u * cell.geometry.vertices[q].axes, q, face, V);
+        }
+    const MixedElement        element(cell.geometry, V);
+    const ModeStiffness       stiffness = cell.stiffness();
+    const Modes::Vector       E         = element.strain();
+    MixedElement::NodalMatrix K{};
+    element.add_tangent(stiffness, Modes::Vector(), K);
+    const std::string what = name_of(sampling) + ", after a turn, ";
+    check_small(what + "energy",
+                cell.geometry.weight *
+                  Modes::mean_product(stiffness.resultants(E), E) / 2,
+                1e-25,
+                maximum_entry(K));
+    const auto eigenvalues = eigenvalues_of(K);
+    check_small(what + "six zero eigenvalues",
+                std::max(std::abs(eigenvalues[0]), std::abs(eigenvalues[5])),
+                1e-14,
+                eigenvalues.back());
+    check_range(what + "the seventh over the last",
+                eigenvalues[6] / eigenvalues.back(),
+                1e-6,
+                1);
+  }
+
+
+  /** The energy of the cell with a symmetric law, seen from either side. */
+  double
+  energy_with_inner_face(const StrainSampling sampling, const bool swapped)
+  {
+    Cell cell(sampling, 0);
+    // the same faces with the opposite normal are those of a cell whose
+    // vertices are numbered the other way
+    const auto X = reference("X"), n = reference("normals"),
+               inner = reference("delta_minus"),
+               outer = reference("delta_plus");
+    if (swapped)
+      std::swap(cell.vertices[1], cell.vertices[2]);
+    Quadrilateral::Shape shape;
+    for (unsigned int q = 0; q < 4; ++q)
+      {
+        const unsigned int v = cell.vertices[q];
+        const double       s = (swapped ? -1 : 1);
+        shape.positions[q]   = vector_at(X, v);
+        shape.normals[q]     = s * vector_at(n, v);
+        shape.heights[q]     = {
+              {swapped ? -outer[v] : inner[v], swapped ? -inner[v] : outer[v]}};
+        cell.geometry.vertices[q].axes      = unit_symmetric_tensor<3>();
+        cell.geometry.vertices[q].thickness = outer[v] - inner[v];
+      }
+    shape.direction = vector_at(reference("reference_direction"), 0);
+    Quadrilateral::Options options;
+    options.sampling = sampling;
+    cell.geometry.quadrilateral =
+      std::make_shared<const Quadrilateral>(shape, options);
+
+    const auto                numbers = reference("V");
+    MixedElement::NodalVector V;
+    for (unsigned int q = 0; q < 4; ++q)
+      {
+        const Tensor<1, 3> mean = vector_at(numbers, 2 * cell.vertices[q]),
+                           half = vector_at(numbers, 2 * cell.vertices[q] + 1);
+        for (unsigned int i = 0; i < 3; ++i)
+          {
+            V[MixedElement::dof(q, i, MixedElement::mean)] = mean[i];
+            V[MixedElement::dof(q, i, MixedElement::half_difference)] =
+              (swapped ? -1 : 1) * half[i];
+          }
+      }
+
+    // an isotropic plate
+    Resultants::Matrix D;
+    const double       E = 3, nu = 0.3, G = E / (2 + 2 * nu);
+    for (unsigned int p = 0; p < 2; ++p)
+      for (unsigned int r = 0; r < 2; ++r)
+        {
+          using namespace Resultants;
+          const double of_faces = (p == r ? 1. / 3 : 1. / 6);
+          for (unsigned int a = 0; a < 2; ++a)
+            {
+              for (unsigned int b = 0; b < 2; ++b)
+                D[tangential(a, p)][tangential(b, r)] =
+                  of_faces * E / (1 - nu * nu) * (a == b ? 1 : nu);
+              D[transverse(a, p)][transverse(a, r)] = of_faces * G;
+            }
+          D[tangential(2, p)][tangential(2, r)] = of_faces * G;
+        }
+    D[Resultants::thickness][Resultants::thickness] = E;
+    ModeStiffness stiffness(D, sampling);
+    stiffness.turn(cell.geometry.quadrilateral->directions(),
+                   cell.geometry.quadrilateral->middle_directions());
+    const Modes::Vector strain = MixedElement(cell.geometry, V).strain();
+    return cell.geometry.quadrilateral->area() *
+           Modes::mean_product(stiffness.resultants(strain), strain) / 2;
+  }
 } // namespace
 
 
@@ -264,4 +390,14 @@ main()
   for (const auto sampling : {StrainSampling::means, StrainSampling::vertices})
     for (unsigned int first = 0; first < 4; ++first)
       test(sampling, first);
+  for (const auto sampling : {StrainSampling::means, StrainSampling::vertices})
+    {
+      test_rigid_motion(sampling);
+      const double energy = energy_with_inner_face(sampling, false);
+      check_small(name_of(sampling) +
+                    ", the other face is the inner one, energy",
+                  energy_with_inner_face(sampling, true) - energy,
+                  1e-13,
+                  energy);
+    }
 }
