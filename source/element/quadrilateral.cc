@@ -338,43 +338,45 @@ namespace Biface
   }
 
 
+  template <typename Function>
+  inline void
+  Quadrilateral::for_blocks(const Function &function) const
+  {
+    using namespace Resultants;
+    for (unsigned int face = 0; face < 2; ++face)
+      {
+        function(
+          std::array<unsigned int, 3>{
+            {tangential(0, face), tangential(1, face), tangential(2, face)}},
+          constant_tangential[face]);
+        function(std::array<unsigned int, 2>{{transverse(0, face),
+                                              transverse(1, face)}},
+                 constant_shear);
+        for (unsigned int a = 0; a < 2; ++a)
+          function(
+            std::array<unsigned int, 1>{{varying(a, transverse(a, face))}},
+            Tensor<2, 1>({{varying_shear[a]}}));
+      }
+    for (unsigned int a = 0; a < 2; ++a)
+      function(std::array<unsigned int, 3>{{varying(a, tangential(a, inner)),
+                                            varying(a, tangential(a, outer)),
+                                            varying(a, Modes::twist)}},
+               varying_tangential[a]);
+  }
+
+
   Modes::Vector
   Quadrilateral::physical(const Modes::Vector &covariant) const
   {
-    using namespace Resultants;
     Modes::Vector E = covariant;
-    for (unsigned int face = 0; face < 2; ++face)
-      {
-        for (unsigned int i = 0; i < 3; ++i)
-          {
-            E[tangential(i, face)] = 0;
-            for (unsigned int j = 0; j < 3; ++j)
-              E[tangential(i, face)] += constant_tangential[face][i][j] *
-                                        covariant[tangential(j, face)];
-          }
-        for (unsigned int i = 0; i < 2; ++i)
-          {
-            E[transverse(i, face)] =
-              constant_shear[i][0] * covariant[transverse(0, face)] +
-              constant_shear[i][1] * covariant[transverse(1, face)];
-            const unsigned int shear = varying(i, transverse(i, face));
-            E[shear] *= varying_shear[i];
-          }
-      }
-    for (unsigned int a = 0; a < 2; ++a)
-      {
-        const std::array<unsigned int, 3> of_group{
-          {varying(a, tangential(a, inner)),
-           varying(a, tangential(a, outer)),
-           varying(a, Modes::twist)}};
-        for (unsigned int i = 0; i < 3; ++i)
-          {
-            E[of_group[i]] = 0;
-            for (unsigned int j = 0; j < 3; ++j)
-              E[of_group[i]] +=
-                varying_tangential[a][i][j] * covariant[of_group[j]];
-          }
-      }
+    for_blocks([&](const auto &modes, const auto &T) {
+      for (unsigned int i = 0; i < modes.size(); ++i)
+        {
+          E[modes[i]] = 0;
+          for (unsigned int j = 0; j < modes.size(); ++j)
+            E[modes[i]] += T[i][j] * covariant[modes[j]];
+        }
+    });
     return E;
   }
 
@@ -382,39 +384,15 @@ namespace Biface
   Modes::Vector
   Quadrilateral::covariant_resultants(const Modes::Vector &H) const
   {
-    using namespace Resultants;
     Modes::Vector result = H;
-    for (unsigned int face = 0; face < 2; ++face)
-      {
-        for (unsigned int j = 0; j < 3; ++j)
-          {
-            result[tangential(j, face)] = 0;
-            for (unsigned int i = 0; i < 3; ++i)
-              result[tangential(j, face)] +=
-                constant_tangential[face][i][j] * H[tangential(i, face)];
-          }
-        for (unsigned int j = 0; j < 2; ++j)
-          {
-            result[transverse(j, face)] =
-              constant_shear[0][j] * H[transverse(0, face)] +
-              constant_shear[1][j] * H[transverse(1, face)];
-            result[varying(j, transverse(j, face))] *= varying_shear[j];
-          }
-      }
-    for (unsigned int a = 0; a < 2; ++a)
-      {
-        const std::array<unsigned int, 3> of_group{
-          {varying(a, tangential(a, inner)),
-           varying(a, tangential(a, outer)),
-           varying(a, Modes::twist)}};
-        for (unsigned int j = 0; j < 3; ++j)
-          {
-            result[of_group[j]] = 0;
-            for (unsigned int i = 0; i < 3; ++i)
-              result[of_group[j]] +=
-                varying_tangential[a][i][j] * H[of_group[i]];
-          }
-      }
+    for_blocks([&](const auto &modes, const auto &T) {
+      for (unsigned int j = 0; j < modes.size(); ++j)
+        {
+          result[modes[j]] = 0;
+          for (unsigned int i = 0; i < modes.size(); ++i)
+            result[modes[j]] += T[i][j] * H[modes[i]];
+        }
+    });
     return result;
   }
 
@@ -480,8 +458,6 @@ namespace Biface
   void
   Quadrilateral::variation(const Vectors &x, Rows &rows) const
   {
-    using namespace Resultants;
-
     for (auto &row : rows)
       row.fill(0);
     for_products([&](const unsigned int mode,
@@ -498,38 +474,16 @@ namespace Biface
         }
     });
 
-    constexpr unsigned int n_columns = 3 * n_nodal;
-    const auto             combine   = [&](const auto &modes, const auto &T) {
+    for_blocks([&](const auto &modes, const auto &T) {
       constexpr unsigned int n =
         std::tuple_size_v<std::decay_t<decltype(modes)>>;
-      std::array<std::array<double, n_columns>, n> result{};
+      std::array<std::array<double, 3 * n_nodal>, n> result{};
       for (unsigned int i = 0; i < n; ++i)
         for (unsigned int j = 0; j < n; ++j)
-          for (unsigned int k = 0; k < n_columns; ++k)
+          for (unsigned int k = 0; k < 3 * n_nodal; ++k)
             result[i][k] += T[i][j] * rows[modes[j]][k];
       for (unsigned int i = 0; i < n; ++i)
         rows[modes[i]] = result[i];
-    };
-    const auto scale = [&](const unsigned int mode, const double factor) {
-      for (double &value : rows[mode])
-        value *= factor;
-    };
-    for (unsigned int face = 0; face < 2; ++face)
-      {
-        combine(
-          std::array<unsigned int, 3>{
-            {tangential(0, face), tangential(1, face), tangential(2, face)}},
-          constant_tangential[face]);
-        combine(std::array<unsigned int, 2>{{transverse(0, face),
-                                             transverse(1, face)}},
-                constant_shear);
-        for (unsigned int a = 0; a < 2; ++a)
-          scale(varying(a, transverse(a, face)), varying_shear[a]);
-      }
-    for (unsigned int a = 0; a < 2; ++a)
-      combine(std::array<unsigned int, 3>{{varying(a, tangential(a, inner)),
-                                           varying(a, tangential(a, outer)),
-                                           varying(a, Modes::twist)}},
-              varying_tangential[a]);
+    });
   }
 } // namespace Biface

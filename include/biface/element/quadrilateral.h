@@ -220,6 +220,13 @@ namespace Biface
     void
     for_products(const Function &function) const;
 
+    /** Call a function with each block of the matrix that turns covariant modes
+     * into physical ones: the modes of the block, and its entries. Other modes
+     * are the same. */
+    template <typename Function>
+    void
+    for_blocks(const Function &function) const;
+
     /** The factors of the nodal vectors in each vector. */
     std::array<std::array<double, n_nodal>, n_vectors> factors;
 
