@@ -50,7 +50,7 @@ install(DIRECTORY doc/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/doc
       PATTERN measured_tires.py PATTERN relaxation.py PATTERN *.tir PATTERN example_page.py
   PATTERN parameters EXCLUDE PATTERN performance EXCLUDE)
 install(DIRECTORY prm/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples
-  FILES_MATCHING PATTERN *.prm PATTERN *.csv)
+  FILES_MATCHING PATTERN *.prm PATTERN *.csv PATTERN *.msh PATTERN *.geo)
 # so that the links of the pages lead somewhere
 install(CODE "file(CREATE_LINK examples
   \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATAROOTDIR}/doc/biface/prm\" SYMBOLIC)")

@@ -3,6 +3,7 @@
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
+#include <cmath>
 #include <vector>
 
 #include <biface/element/modes.h>
@@ -80,38 +81,129 @@ namespace Biface
   }
 
 
-  void
-  ModeStiffness::turn(const std::array<std::array<Tensor<1, 2>, 2>, 2> &faces,
-                      const std::array<Tensor<1, 2>, 2>                &middle)
+  bool
+  CellTangents::are_axes() const
+  {
+    for (const auto &face : faces)
+      for (unsigned int a = 0; a < 2; ++a)
+        if (!(std::abs(face[a][a] - 1) < 1e-4))
+          return false;
+    return true;
+  }
+
+
+  CellTangents::Components
+  CellTangents::strains(const unsigned int a) const
   {
     using namespace Resultants;
     using Modes::twist;
 
+    Components result;
+    for (unsigned int face = 0; face < 2; ++face)
+      {
+        const auto  &t    = faces[face];
+        const double sign = (face == inner ? -1. : 1.);
+        for (unsigned int i = 0; i < 2; ++i)
+          {
+            result[tangential(a, face)][tangential(i, face)] =
+              t[a][i] * t[a][i];
+            result[twist][tangential(i, face)] = sign * t[0][i] * t[1][i];
+            result[transverse(a, face)][transverse(i, face)] = middle[a][i];
+          }
+        result[tangential(a, face)][tangential(2, face)] =
+          2 * t[a][0] * t[a][1];
+        result[twist][tangential(2, face)] =
+          sign * (t[0][0] * t[1][1] + t[0][1] * t[1][0]);
+      }
+    result[thickness][thickness] = 1;
+    return result;
+  }
+
+
+  CellTangents::Components
+  CellTangents::resultants(const unsigned int a) const
+  {
+    using namespace Resultants;
+    using Modes::twist;
+
+    // T_H differs from T_E by the shear, of which a strain counts twice
+    const Components of_strains  = strains(a);
+    Components       of_stresses = of_strains;
+    for (Resultants::Vector &column : of_stresses)
+      for (unsigned int face = 0; face < 2; ++face)
+        column[tangential(2, face)] /= 2;
+
+    const Modes::Group &group = Modes::groups[1 + a];
+    FullMatrix<double>  work(group.size);
+    for (unsigned int i = 0; i < group.size; ++i)
+      for (unsigned int j = 0; j < group.size; ++j)
+        // the resultant of the twist is the mean of the faces
+        work(i, j) = of_strains[group.strains[i]] *
+                     of_stresses[group.strains[j]] /
+                     (group.strains[i] == twist ? 2 : 1);
+    work.gauss_jordan();
+    Components result;
+    for (unsigned int i = 0; i < group.size; ++i)
+      for (unsigned int j = 0; j < group.size; ++j)
+        result[group.strains[i]] += work(j, i) * of_stresses[group.strains[j]];
+    return result;
+  }
+
+
+  namespace
+  {
+    /** The values of modes at the vertices, where unit modes of the groups that
+     * vary in one direction have given components. */
+    std::array<Resultants::Vector, 4>
+    at_vertices(const Modes::Vector                           &modes,
+                const std::array<CellTangents::Components, 2> &components)
+    {
+      std::array<Resultants::Vector, 4> values;
+      for (unsigned int m = 0; m < Modes::groups.size(); ++m)
+        {
+          const Modes::Group &group = Modes::groups[m];
+          Resultants::Vector  of_group;
+          for (unsigned int i = 0; i < group.size; ++i)
+            {
+              const double       mode = modes[group.first_mode + i];
+              const unsigned int s    = group.strains[i];
+              if (m == 1 || m == 2)
+                of_group += mode * components[m - 1][s];
+              else
+                of_group[s] += mode;
+            }
+          for (unsigned int v = 0; v < 4; ++v)
+            values[v] += group.value_at_vertex(v) * of_group;
+        }
+      return values;
+    }
+  } // namespace
+
+
+  std::array<Resultants::Vector, 4>
+  CellTangents::strains_at_vertices(const Modes::Vector &E) const
+  {
+    return at_vertices(E, {{strains(0), strains(1)}});
+  }
+
+
+  std::array<Resultants::Vector, 4>
+  CellTangents::resultants_at_vertices(const Modes::Vector &H) const
+  {
+    return at_vertices(H, {{resultants(0), resultants(1)}});
+  }
+
+
+  void
+  ModeStiffness::turn(const CellTangents &tangents)
+  {
+    using Modes::twist;
+
     for (unsigned int a = 0; a < 2; ++a)
       {
-        const Modes::Group &group = Modes::groups[1 + a];
-        // the strains of the laminate, by those of the group
-        std::array<Resultants::Vector, twist + 1> strains;
-        for (unsigned int face = 0; face < 2; ++face)
-          {
-            const auto  &t    = faces[face];
-            const double sign = (face == inner ? -1. : 1.);
-            for (unsigned int i = 0; i < 2; ++i)
-              {
-                strains[tangential(a, face)][tangential(i, face)] =
-                  t[a][i] * t[a][i];
-                strains[twist][tangential(i, face)] = sign * t[0][i] * t[1][i];
-                strains[transverse(a, face)][transverse(i, face)] =
-                  middle[a][i];
-              }
-            strains[tangential(a, face)][tangential(2, face)] =
-              2 * t[a][0] * t[a][1];
-            strains[twist][tangential(2, face)] =
-              sign * (t[0][0] * t[1][1] + t[0][1] * t[1][0]);
-          }
-        strains[thickness][thickness] = 1;
-
-        const auto law = D[1 + a];
+        const Modes::Group            &group   = Modes::groups[1 + a];
+        const CellTangents::Components strains = tangents.strains(a);
+        const auto                     law     = D[1 + a];
         for (unsigned int i = 0; i < group.size; ++i)
           for (unsigned int j = 0; j < group.size; ++j)
             {

@@ -189,8 +189,8 @@ namespace Biface
       {
         for (unsigned int a = 0; a < 2; ++a)
           {
-            J[face][a]        = in_plane(reference[tangent(face, a)]);
-            tangents[face][a] = J[face][a] / J[face][a].norm();
+            J[face][a]              = in_plane(reference[tangent(face, a)]);
+            tangents.faces[face][a] = J[face][a] / J[face][a].norm();
           }
         Tensor<2, 2> K;
         K[0] = J[face][0];
@@ -214,7 +214,7 @@ namespace Biface
         J_middle[a]        = in_plane(g_middle[a]);
         const double norm  = J_middle[a].norm();
         varying_shear[a]   = 1 / norm;
-        middle_tangents[a] = J_middle[a] / norm;
+        tangents.middle[a] = J_middle[a] / norm;
       }
     constant_shear = invert(J_middle);
 
@@ -228,7 +228,7 @@ namespace Biface
         for (unsigned int face = 0; face < 2; ++face)
           {
             const auto  &of_face = J[face];
-            const auto  &t       = tangents[face];
+            const auto  &t       = tangents.faces[face];
             const double along   = of_face[a] * t[a];
             product[face][face]  = along * along;
             if (options.sampling == StrainSampling::vertices)

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <biface/element/quadrilateral.h>
+#include <biface/element/quadrilateral_geometry.h>
 #include <biface/element/shell_fe_values.h>
 #include <biface/element/strain_means.h>
 #include <biface/surface/reference_surface.h>
@@ -91,6 +92,7 @@ namespace Biface
 
     const ThicknessMetric metric(center.curvature, heights_at_center);
     geometry.weight = JxW() * metric.zeta_bar[0] * metric.zeta_bar[1];
+    geometry.vertex_areas.fill(geometry.weight / 4);
 
     const double thickness = heights_at_center[1] - heights_at_center[0];
     for (unsigned int a = 0; a < 2; ++a)
@@ -122,12 +124,15 @@ namespace Biface
   void
   ShellFEValues::set_stations(const FaceHeights &face_heights)
   {
+    if (geometry.interpolation == Interpolation::Cartesian)
+      {
+        geometry.stations = straight_stations({points, face_heights, {}, 0});
+        return;
+      }
     ElementGeometry::Stations &stations = geometry.stations;
-    stations.spin.clear();
-    const bool turns = (geometry.interpolation == Interpolation::components);
-    const Tensor<1, 3> axis = surface.axis();
+    const Tensor<1, 3>         axis     = surface.axis();
     // a frame that turns needs the distance from its axis
-    stations.origin = turns && axis.norm_square() > 0
+    stations.origin = axis.norm_square() > 0
                         ? Tensor<1, 3>((points[0].position * axis) * axis)
                         : Tensor<1, 3>(points[0].position);
 
@@ -138,33 +143,31 @@ namespace Biface
                        alpha_right = surface.pull_back(points[right].position);
         const SurfacePoint middle  = surface.evaluate(
           {(alpha_left[0] + alpha_right[0]) / 2, alpha_left[1]});
-        const SurfacePoint &frame = (turns ? middle : points[0]);
         if (side == 0)
-          for (unsigned int i = 0; i < 3; ++i)
-            for (unsigned int j = 0; j < 3; ++j)
-              stations.axes[i][j] = frame.frame[j][i];
-        for (const unsigned int q : {left, right})
           {
-            Tensor<2, 3> turn;
             for (unsigned int i = 0; i < 3; ++i)
               for (unsigned int j = 0; j < 3; ++j)
-                turn[i][j] = frame.frame[i] * points[q].frame[j];
-            stations.at_side[q] = turn;
-            stations.at_middle[q] =
-              (turns ? Tensor<2, 3>(unit_symmetric_tensor<3>()) : turn);
+                stations.axes[i][j] = middle.frame[j][i];
+            stations.spin = middle.lame[1] /
+                            (2 * std::abs(geometry.vertices[left].slope[1]) *
+                             points[left].lame[1]) *
+                            middle.connection(1);
           }
-        if (turns && side == 0)
-          stations.spin = middle.lame[1] /
-                          (2 * std::abs(geometry.vertices[left].slope[1]) *
-                           points[left].lame[1]) *
-                          middle.connection(1);
+        for (const unsigned int q : {left, right})
+          {
+            for (unsigned int i = 0; i < 3; ++i)
+              for (unsigned int j = 0; j < 3; ++j)
+                stations.at_side[q][i][j] =
+                  middle.frame[i] * points[q].frame[j];
+            stations.at_middle[q] = unit_symmetric_tensor<3>();
+          }
 
         for (unsigned int face = 0; face < 2; ++face)
           {
             const auto position = [&](const SurfacePoint &at,
                                       const double        height) {
-              return frame.to_frame(at.position + height * at.frame[2] -
-                                    stations.origin);
+              return middle.to_frame(at.position + height * at.frame[2] -
+                                     stations.origin);
             };
             const double height_left  = face_heights[left][face],
                          height_right = face_heights[right][face];
@@ -172,8 +175,7 @@ namespace Biface
             of_face[0][side]          = position(points[left], height_left);
             of_face[2][side]          = position(points[right], height_right);
             of_face[1][side] =
-              (turns ? position(middle, (height_left + height_right) / 2)
-                     : (of_face[0][side] + of_face[2][side]) / 2);
+              position(middle, (height_left + height_right) / 2);
           }
       }
   }
@@ -203,25 +205,14 @@ namespace Biface
             }
         }
 
-    Quadrilateral::Shape shape;
-    for (unsigned int q = 0; q < 4; ++q)
-      {
-        shape.positions[q] = points[q].position;
-        shape.normals[q]   = points[q].frame[2];
-      }
-    shape.heights   = face_heights;
-    shape.direction = center.frame[0];
-    Quadrilateral::Options options;
-    options.sampling = geometry.sampling;
-    options.mean_director =
-      (geometry.thickness_strain != ThicknessStrain::vertices);
-    options.wall_thickness = wall_thickness;
-    geometry.quadrilateral =
-      std::make_shared<const Quadrilateral>(shape, options);
+    geometry.quadrilateral = make_quadrilateral(
+      {points, face_heights, center.frame[0], wall_thickness},
+      geometry.sampling,
+      geometry.thickness_strain);
     geometry.weight = geometry.quadrilateral->area();
+    geometry.vertex_areas.fill(geometry.weight / 4);
     // the modes of lines of curvature are components in their frame
-    Assert(std::abs(geometry.quadrilateral->directions()[0][0][0] - 1) < 1e-4 &&
-             std::abs(geometry.quadrilateral->directions()[0][1][1] - 1) < 1e-4,
+    Assert(geometry.quadrilateral->get_tangents().are_axes(),
            ExcMessage("The sides of cells must be coordinate lines."));
   }
 } // namespace Biface

@@ -113,6 +113,12 @@ namespace Biface
     maximum.value = largest->value;
     maximum.ply   = Utilities::MPI::max(
       largest->position ? plies[*largest->position] + 1 : 0, mesh.communicator);
+    if (!mesh.grid.has_lines())
+      {
+        maximum.alpha = {{std::numeric_limits<double>::quiet_NaN(),
+                          std::numeric_limits<double>::quiet_NaN()}};
+        return maximum;
+      }
     const GridIndex cell = mesh.grid.cell_index(largest->number);
     for (unsigned int a = 0; a < 2; ++a)
       maximum.alpha[a] =

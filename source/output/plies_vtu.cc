@@ -32,29 +32,53 @@ namespace Biface
     }
 
 
+    /** The parts along two sides of a cell, as multiples of them, that make up
+     * a vector in their plane. */
+    std::array<double, 2>
+    parts_along(const std::array<Tensor<1, 3>, 2> &sides,
+                const Tensor<1, 3>                &vector)
+    {
+      const double a = sides[0].norm_square(), b = sides[0] * sides[1],
+                   c           = sides[1].norm_square();
+      const double determinant = a * c - b * b;
+      const double x = sides[0] * vector, y = sides[1] * vector;
+      return {{(c * x - b * y) / determinant, (a * y - b * x) / determinant}};
+    }
+
+
     /**
      * The direction of the fibers in the deformed shell, as data 3 to 5 of a
-     * patch with its vertices and the displacements in data 0 to 2: each
-     * component follows its coordinate line.
+     * patch with its vertices and the displacements in data 0 to 2: it follows
+     * the sides of the cell, which are coordinate lines unless it has another
+     * shape.
      */
     void
-    set_fibers(const double angle, DataOutBase::Patch<3, 3> &patch)
+    set_fibers(const double              angle,
+               const Cell               &cell,
+               const std::vector<Node>  &nodes,
+               DataOutBase::Patch<3, 3> &patch)
     {
       for (unsigned int i = 0; i < 8; ++i)
         {
-          Tensor<1, 3> fiber;
+          std::array<Tensor<1, 3>, 2> sides, initial;
           for (unsigned int line = 0; line < 2; ++line)
             {
               const unsigned int begin = i & ~(1u << line);
               const unsigned int end   = i | (1u << line);
-              const Tensor<1, 3> edge =
-                patch.vertices[end] - patch.vertices[begin];
-              Tensor<1, 3> initial_edge = edge;
+              sides[line]   = patch.vertices[end] - patch.vertices[begin];
+              initial[line] = sides[line];
               for (unsigned int d = 0; d < 3; ++d)
-                initial_edge[d] -= patch.data(d, end) - patch.data(d, begin);
-              fiber += (line == 0 ? std::cos(angle) : std::sin(angle)) /
-                       initial_edge.norm() * edge;
+                initial[line][d] -= patch.data(d, end) - patch.data(d, begin);
             }
+          const auto           &frame = nodes[cell.nodes[i & 3]].surface.frame;
+          std::array<double, 2> parts =
+            cell.geometry.along_lines
+              ? std::array<double, 2>{{std::cos(angle) / initial[0].norm(),
+                                       std::sin(angle) / initial[1].norm()}}
+              : parts_along(initial,
+                            std::cos(angle) * frame[0] +
+                              std::sin(angle) * frame[1]);
+          Tensor<1, 3> fiber = parts[0] * sides[0] + parts[1] * sides[1];
           fiber /= fiber.norm();
           for (unsigned int d = 0; d < 3; ++d)
             patch.data(3 + d, i) = fiber[d];
@@ -125,7 +149,7 @@ namespace Biface
                     if (mesh.get_layup().has_loss())
                       {
                         const unsigned int s =
-                          mesh.grid.cell_index(cell.column)[0];
+                          heat ? mesh.grid.cell_index(cell.column)[0] : 0;
                         patch.data(d++, i) =
                           heat ? heat->source(s, ply.number) : 0.;
                         patch.data(d++, i) =
@@ -136,7 +160,8 @@ namespace Biface
                   }
                 height[v] += ply.thickness;
               }
-            set_fibers(strip.laminate.get_plies()[p].angle, patch);
+            set_fibers(
+              strip.laminate.get_plies()[p].angle, cell, mesh.nodes, patch);
             patches.push_back(patch);
           }
       }

@@ -133,7 +133,9 @@ namespace Biface
   {
     const ShellMesh            &mesh = equations.mesh;
     std::array<unsigned int, 2> n_lines{};
-    const ActiveSet             in_contact =
+    if (!mesh.grid.has_lines())
+      return {{numbers::invalid_unsigned_int, numbers::invalid_unsigned_int}};
+    const ActiveSet in_contact =
       contact.ground().points.nodes_around(state.ground().active);
     for (unsigned int a = 0; a < 2; ++a)
       {
@@ -280,10 +282,13 @@ namespace Biface
                                       : " of the thickness, ";
         text += "force " + in_digits(at.force) +
                 " = pressure times footprint " + in_digits(carried) +
-                " + wall " + in_digits(at.force - carried) + "; footprint of " +
-                std::to_string(at.n_lines[0]) + " x " +
-                std::to_string(at.n_lines[1]) +
-                " cells along alpha_1 and alpha_2\n       penetration " +
+                " + wall " + in_digits(at.force - carried) +
+                (contact.mesh.grid.has_lines()
+                   ? "; footprint of " + std::to_string(at.n_lines[0]) + " x " +
+                       std::to_string(at.n_lines[1]) +
+                       " cells along alpha_1 and alpha_2"
+                   : "") +
+                "\n       penetration " +
                 as_percent(at.penetration.relative()) + height;
       }
     else

@@ -62,13 +62,15 @@ namespace Biface
     add(std::make_unique<HeatFile>(stages, directory, equations));
     add(std::make_unique<ModesFile>(stages, directory, equations));
     add(std::make_unique<BucklingFile>(stages, directory, equations));
-    add(std::make_unique<BucklingShapesFile>(stages, directory, equations));
+    if (equations.mesh.grid.has_lines())
+      add(std::make_unique<BucklingShapesFile>(stages, directory, equations));
     add(std::make_unique<CriticalPointsFile>(stages, directory, equations));
     add(std::make_unique<SensitivitiesFile>(
       n_sensitivities, directory, equations));
     add(std::make_unique<ContactFile>(directory, equations));
-    add(
-      std::make_unique<ProfileFile>(parameters.profile, directory, equations));
+    if (equations.mesh.grid.has_lines())
+      add(std::make_unique<ProfileFile>(
+        parameters.profile, directory, equations));
     add(std::make_unique<ProbesFile>(directory, equations));
     add(std::make_unique<PliesFile>(
       parameters.plies, parameters.criteria, directory, equations));

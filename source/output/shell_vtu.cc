@@ -65,8 +65,8 @@ namespace Biface
         // whether nothing of the wall is beyond
         const bool is_last = (c + 1 == mesh.cells.size() ||
                               mesh.cells[c + 1].column != cell.column);
-        const auto H       = Modes::at_vertices(
-          equations.internal_forces().total_resultants(state, c));
+        const auto H =
+          equations.internal_forces().total_resultants_at_vertices(state, c);
         const auto E =
           equations.internal_forces().strains_at_vertices(state, c);
         const auto slack =

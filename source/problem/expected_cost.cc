@@ -11,6 +11,7 @@
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/problem/expected_cost.h>
+#include <biface/surface/quadrilateral_mesh.h>
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -135,7 +136,9 @@ namespace Biface
                      both_triangles = 1.8;
 
     const unsigned int n_ranks  = Utilities::MPI::n_mpi_processes(communicator);
-    const double       n_nodes  = n_nodes_of(grid);
+    const double       n_nodes  = grid.has_lines()
+                                    ? n_nodes_of(grid)
+                                    : parameters.surface.mesh.mesh->nodes.size();
     const double       per_node = 3. * (parameters.laminate.n_layers() + 1);
     const double       n_copies =
       (grid.distribution == MeshDistribution::shared ? n_ranks : 1);

@@ -50,13 +50,9 @@ namespace Biface
       for (PointForce &item : loads.point_forces)
         add_force("point forces", item.point, item.force.factor);
       for (EdgeForce &item : loads.edge_forces)
-        add_force("edge forces",
-                  edge_names[static_cast<unsigned int>(item.edge)],
-                  item.force.factor);
+        add_force("edge forces", item.edge, item.force.factor);
       for (EdgeMoment &item : loads.edge_moments)
-        add_force("edge moments",
-                  edge_names[static_cast<unsigned int>(item.edge)],
-                  item.factor);
+        add_force("edge moments", item.edge, item.factor);
       for (const auto face : {Resultants::inner, Resultants::outer})
         if (!loads.tractions[face].components.empty())
           items.push_back(
@@ -81,6 +77,8 @@ namespace Biface
       };
       for (unsigned int edge = 0; edge < supports.edges.size(); ++edge)
         add_support(edge_names[edge], supports.edges[edge]);
+      for (EdgeSupport &edge : supports.named_edges)
+        add_support(edge.edge, edge.conditions);
       for (PointSupport &point : supports.points)
         add_support(point.point, point.conditions);
 

@@ -14,6 +14,7 @@
 #include <biface/problem/parameters.h>
 #include <biface/stepping/stage_sequence.h>
 #include <biface/surface/imperfection.h>
+#include <biface/surface/quadrilateral_mesh.h>
 
 namespace Biface
 {
@@ -161,7 +162,9 @@ namespace Biface
       find_point(points.list, "Supports/Point supports", support.point);
     for (const PointForce &force : loads.point_forces)
       find_point(points.list, "Loads/Point forces", force.point);
-    if (mesh.closed)
+    if (surface.type == ReferenceSurface::Parameters::Type::mesh)
+      check_mesh_from_file();
+    else
       check_edges();
 
     supports.check();
@@ -437,19 +440,27 @@ namespace Biface
     const auto is_closed = [](const Edge edge) {
       return edge == Edge::alpha_2_min || edge == Edge::alpha_2_max;
     };
+    if (!supports.named_edges.empty())
+      throw InputError("Supports/Edge supports",
+                       supports.named_edges[0].text,
+                       "only a mesh from a file ('Surface/Type = mesh') has "
+                       "edges with such names; use the entries 'alpha_1 min' "
+                       "and so on");
     for (const Edge edge : {Edge::alpha_2_min, Edge::alpha_2_max})
-      if (!supports.edges[static_cast<unsigned int>(edge)].empty() ||
-          supports.cyclic[static_cast<unsigned int>(edge)])
+      if (mesh.closed &&
+          (!supports.edges[static_cast<unsigned int>(edge)].empty() ||
+           supports.cyclic[static_cast<unsigned int>(edge)]))
         throw InputError(
           "the section 'Supports' supports an edge of alpha_2, but the "
           "coordinate is closed ('Mesh/Closed in alpha_2') and has no edges.");
-    const std::string why = "the coordinate is closed and has no such edge";
-    for (const EdgeForce &force : loads.edge_forces)
-      if (is_closed(force.edge))
-        throw InputError("Loads/Edge forces", force.text, why);
-    for (const EdgeMoment &moment : loads.edge_moments)
-      if (is_closed(moment.edge))
-        throw InputError("Loads/Edge moments", moment.text, why);
+    const std::string why   = "the coordinate is closed and has no such edge";
+    const auto        check = [&](const std::string &entry, const auto &loads) {
+      for (const auto &load : loads)
+        if (is_closed(parse_edge(entry, load.text, load.edge)) && mesh.closed)
+          throw InputError(entry, load.text, why);
+    };
+    check("Loads/Edge forces", loads.edge_forces);
+    check("Loads/Edge moments", loads.edge_moments);
   }
 
 
@@ -647,6 +658,24 @@ namespace Biface
   }
 
 
+  namespace
+  {
+    /** What of a mesh must be the same at a restart: its nodes and cells. */
+    std::vector<Point<2>>
+    pairs_of_mesh(const QuadrilateralMesh &mesh)
+    {
+      std::vector<Point<2>> pairs;
+      for (const Point<3> &x : mesh.nodes)
+        for (const Point<2> &pair : {Point<2>(x[0], x[1]), Point<2>(x[2], 0)})
+          pairs.push_back(pair);
+      for (const auto &cell : mesh.cells)
+        for (const unsigned int v : {0, 2})
+          pairs.emplace_back(cell[v], cell[v + 1]);
+      return pairs;
+    }
+  } // namespace
+
+
   PairsByEntry
   Parameters::named_pairs() const
   {
@@ -663,6 +692,8 @@ namespace Biface
       add_rows("Surface/Imperfection/Tables, " + table.file.name, table.rows);
     if (!surface.points_file.name.empty())
       pairs["Surface/Spline/File"] = surface.points_file.pairs;
+    if (surface.mesh.mesh)
+      pairs["Surface/Mesh/File"] = pairs_of_mesh(*surface.mesh.mesh);
     for (const TableFile &table : laminate.tables)
       pairs["Laminate/Tables, " + table.name] = table.file.pairs;
     for (const MaterialParameters &material : materials)
@@ -686,7 +717,7 @@ namespace Biface
   std::vector<std::string>
   Parameters::input_files() const
   {
-    std::vector<std::string> names{surface.points_file.name};
+    std::vector<std::string> names{surface.points_file.name, surface.mesh.name};
     for (const Imperfection::Table &table : surface.imperfection.tables)
       names.push_back(table.file.file_name);
     names.insert(names.end(), plies_files.begin(), plies_files.end());

@@ -236,6 +236,16 @@ namespace Biface
           prm.leave_subsection();
           prm.leave_subsection();
         }
+      std::string mesh_file = parameters.surface.mesh.name;
+      if (!mesh_file.empty())
+        {
+          make_absolute(mesh_file);
+          prm.enter_subsection("Surface");
+          prm.enter_subsection("Mesh");
+          prm.set("File", print_file_name(mesh_file));
+          prm.leave_subsection();
+          prm.leave_subsection();
+        }
       std::vector<NamedFile> charts;
       for (const Imperfection::Table &table :
            parameters.surface.imperfection.tables)
@@ -422,6 +432,7 @@ namespace Biface
       for (MaterialParameters &material : parameters.materials)
         if (!material.cord_and_rubber.curve.name.empty())
           material.cord_and_rubber.curve.read("stretch, force", communicator);
+      parameters.read_mesh(communicator);
       parameters.check();
       if (!parameters.surface.points_file.name.empty())
         parameters.surface.points_file.read("radius, axial coordinate",

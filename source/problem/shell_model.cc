@@ -85,7 +85,15 @@ namespace Biface
     check_memory(parameters, given, communicator);
     const Layup                   layup  = make_layup(parameters, finest);
     const std::vector<NamedPoint> points = parameters.points.on(*surface);
-    const auto                    mesh =
+    if (!surface->has_chart())
+      return std::make_shared<ShellMesh>(communicator,
+                                         std::move(surface),
+                                         given,
+                                         parameters.surface.mesh,
+                                         layup,
+                                         parameters.supports,
+                                         points);
+    const auto mesh =
       std::make_shared<ShellMesh>(communicator,
                                   std::move(surface),
                                   given,

@@ -4,14 +4,12 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
-#include <tuple>
 #include <vector>
 
 #include <biface/base/gather.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/solver/active_set_iteration.h>
-#include <biface/surface/reference_surface.h>
 
 namespace Biface
 {
@@ -57,13 +55,13 @@ namespace Biface
     constexpr unsigned int most = 5;
 
     AssertDimension(marked.size(), mesh.nodes.size());
-    using Named = std::tuple<types::global_cell_index, double, double>;
+    using Named = std::pair<types::global_cell_index, std::string>;
     std::vector<Named> mine;
     for (unsigned int n = 0; n < marked.size(); ++n)
       {
         const Node &node = mesh.nodes[n];
         if (marked[n] && node.locally_owned)
-          mine.emplace_back(node.number, node.alpha[0], node.alpha[1]);
+          mine.emplace_back(node.number, mesh.place_in_words(node));
       }
     std::vector<Named> all;
     for (const auto &part : gather_on_all(mesh.communicator, mine))
@@ -71,16 +69,10 @@ namespace Biface
     // by number, so that the text does not depend on the ranks
     std::sort(all.begin(), all.end());
 
-    const ReferenceSurface &surface = mesh.get_surface();
-    std::string             text    = std::to_string(all.size()) +
+    std::string text = std::to_string(all.size()) +
                        (all.size() == 1 ? " node at " : " nodes at ");
     for (unsigned int i = 0; i < std::min<std::size_t>(all.size(), most); ++i)
-      text +=
-        (i > 0 ? ", (" : "(") +
-        number_to_string(std::get<1>(all[i]) / surface.coordinate_unit(0)) +
-        ", " +
-        number_to_string(std::get<2>(all[i]) / surface.coordinate_unit(1)) +
-        ")";
+      text += (i > 0 ? ", " : "") + all[i].second;
     return text + (all.size() > most ? ", ..." : "");
   }
 

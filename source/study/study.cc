@@ -482,10 +482,9 @@ namespace Biface
           options.file_name = base_file;
           options.signals   = &signals;
           std::unique_ptr<SampleStates::Sample> states;
-          if (parameters.warm_start)
+          const ChartGrid grid(changed.mesh, *make_surface(changed.surface));
+          if (parameters.warm_start && grid.has_lines())
             {
-              const ChartGrid grid(changed.mesh,
-                                   *make_surface(changed.surface));
               states =
                 std::make_unique<SampleStates::Sample>(SampleStates::Sample{
                   samples[i],

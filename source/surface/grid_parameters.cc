@@ -76,8 +76,11 @@ namespace Biface
 
   ChartGrid::ChartGrid(const Parameters       &parameters,
                        const ReferenceSurface &surface)
-    : closed(parameters.closed), distribution(parameters.distribution)
+    : closed(parameters.closed && surface.has_chart())
+    , distribution(parameters.distribution)
   {
+    if (!surface.has_chart())
+      return;
     for (unsigned int a = 0; a < 2; ++a)
       lines[a] = parameters.intervals[a]
                    .on(surface.end(a))

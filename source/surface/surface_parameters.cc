@@ -9,6 +9,7 @@
 #include <biface/surface/spline_curve.h>
 #include <biface/surface/surface_of_revolution.h>
 #include <biface/surface/surface_parameters.h>
+#include <biface/surface/surface_without_chart.h>
 
 namespace Biface
 {
@@ -22,10 +23,12 @@ namespace Biface
     add_choice(prm,
                "Type",
                type,
-               {"surface of revolution", "plane"},
+               {"surface of revolution", "plane", "mesh"},
                "The reference surface: a curve, the meridian, rotated about "
-               "the y axis (the axle of a wheel), or the plane z = 0 with the "
-               "coordinates alpha_1 = x and alpha_2 = y.");
+               "the y axis (the axle of a wheel), the plane z = 0 with the "
+               "coordinates alpha_1 = x and alpha_2 = y, or any surface, given "
+               "by a mesh from a file ('Surface/Mesh'), which has no "
+               "coordinates.");
     add_choice(prm,
                "Meridian",
                meridian,
@@ -68,6 +71,9 @@ namespace Biface
                       "which the mesh must resolve. Not negative.",
                       Patterns::Double(),
                       Unit("length"));
+    prm.leave_subsection();
+    prm.enter_subsection("Mesh");
+    mesh.add_parameters(prm);
     prm.leave_subsection();
     prm.enter_subsection("Imperfection");
     imperfection.add_parameters(prm);
@@ -154,6 +160,8 @@ namespace Biface
             make_meridian(parameters));
         case ReferenceSurface::Parameters::Type::plane:
           return std::make_unique<Plane>();
+        case ReferenceSurface::Parameters::Type::mesh:
+          return std::make_unique<SurfaceWithoutChart>();
       }
     Assert(false, ExcInternalError());
     return {};

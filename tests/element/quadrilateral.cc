@@ -83,8 +83,7 @@ namespace
         for (unsigned int j = 0; j < Resultants::n; ++j)
           D[i][j] = numbers[Resultants::n * i + j];
       ModeStiffness law(D, geometry.sampling);
-      law.turn(geometry.quadrilateral->directions(),
-               geometry.quadrilateral->middle_directions());
+      law.turn(geometry.quadrilateral->get_tangents());
       return law;
     }
 
@@ -375,8 +374,7 @@ namespace
         }
     D[Resultants::thickness][Resultants::thickness] = E;
     ModeStiffness stiffness(D, sampling);
-    stiffness.turn(cell.geometry.quadrilateral->directions(),
-                   cell.geometry.quadrilateral->middle_directions());
+    stiffness.turn(cell.geometry.quadrilateral->get_tangents());
     const Modes::Vector strain = MixedElement(cell.geometry, V).strain();
     return cell.geometry.quadrilateral->area() *
            Modes::mean_product(stiffness.resultants(strain), strain) / 2;

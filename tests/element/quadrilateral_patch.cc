@@ -155,8 +155,7 @@ namespace
                 add_face_displacement(faces[face], q, face, V);
             }
           ModeStiffness stiffness(laminate.stiffness(), sampling);
-          stiffness.turn(geometry.quadrilateral->directions(),
-                         geometry.quadrilateral->middle_directions());
+          stiffness.turn(geometry.quadrilateral->get_tangents());
           const MixedElement at_rest(geometry, MixedElement::NodalVector()),
             deformed(geometry, V);
           const Modes::Vector E =

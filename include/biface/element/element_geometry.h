@@ -158,6 +158,11 @@ namespace Biface
      */
     double weight;
 
+    /** The part of the weight that belongs to each vertex: where the sides are
+     * not coordinate lines, the integral of its shape function, which makes
+     * constant loads consistent; a quarter otherwise. */
+    std::array<double, 4> vertex_areas;
+
     StrainSampling sampling;
     Interpolation  interpolation;
 
@@ -166,6 +171,10 @@ namespace Biface
     /** The cell of Interpolation::Cartesian; null where components are
      * interpolated, which the members below are for. */
     std::shared_ptr<const Quadrilateral> quadrilateral;
+    /** Whether the sides are coordinate lines, along which the axes of the
+     * material are taken; otherwise they have directions of their own, see
+     * Quadrilateral::get_tangents(). */
+    bool along_lines = true;
 
     /** The factors @f$\varphi_a@f$ of MeanDirector. */
     std::array<double, 2> director_factor;

@@ -253,6 +253,43 @@ namespace Biface
   } // namespace Modes
 
 
+  /** The tangents of a cell along the axes of the laminate, unit vectors, along
+   * which the strains that vary are components, see Quadrilateral. */
+  struct CellTangents
+  {
+    /** The tangents of the faces, `faces[face][a]`, and of the middle surface. */
+    std::array<std::array<dealii::Tensor<1, 2>, 2>, 2> faces;
+    std::array<dealii::Tensor<1, 2>, 2>                middle;
+
+    /** Whether they are the axes of the laminate, up to the square of the
+     * small angle by which a cell between lines of curvature is a trapezoid. */
+    bool
+    are_axes() const;
+
+    /** Components along the axes by strains or resultants of a group, those
+     * with the twist. */
+    using Components = std::array<Resultants::Vector, Modes::twist + 1>;
+
+    /** The strains along the axes for unit strains of the group that varies
+     * along @f$\xi_2@f$ (@p a = 0) or @f$\xi_1@f$ (1): the columns of
+     * @f$\mathbf T_E@f$. */
+    Components
+    strains(const unsigned int a) const;
+
+    /** The resultants along the axes for unit resultants of the group, which do
+     * the same work: @f$\mathbf T_H(\mathbf T_E^T\mathbf T_H)^{-1}@f$. */
+    Components
+    resultants(const unsigned int a) const;
+
+    /** The values at the vertices, along the axes, of strains and of
+     * resultants. */
+    std::array<Resultants::Vector, 4>
+    strains_at_vertices(const Modes::Vector &E) const;
+    std::array<Resultants::Vector, 4>
+    resultants_at_vertices(const Modes::Vector &H) const;
+  };
+
+
   /**
    * The constitutive law between modes,
    * @f$\mathbf H^m = \mathbf D^m\mathbf E^m@f$ for each group m, where
@@ -295,14 +332,9 @@ namespace Biface
      * Let the strains that vary be components along the tangents of a cell
      * instead of the axes of the laminate, see Quadrilateral:
      * @f$\mathbf D^m=\mathbf T_E^T\mathbf D\mathbf T_E@f$.
-     *
-     * @param faces the tangents of the faces along the axes, unit vectors, as
-     * `faces[face][a]`.
-     * @param middle those of the middle surface.
      */
     void
-    turn(const std::array<std::array<dealii::Tensor<1, 2>, 2>, 2> &faces,
-         const std::array<dealii::Tensor<1, 2>, 2>                &middle);
+    turn(const CellTangents &tangents);
 
     /** The number of strains in a group. */
     unsigned int

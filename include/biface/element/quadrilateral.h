@@ -196,21 +196,12 @@ namespace Biface
       return frame;
     }
 
-    /** The components of the tangents along the axes of the material,
-     * `directions()[face][a]`, unit vectors, which make
-     * @f$\mathbf T_E@f$. */
-    const std::array<std::array<dealii::Tensor<1, 2>, 2>, 2> &
-    directions() const
+    /** The components of the tangents along the axes of the material, which
+     * make @f$\mathbf T_E@f$. */
+    const CellTangents &
+    get_tangents() const
     {
       return tangents;
-    }
-
-    /** The components of the tangents of the middle surface along the axes of
-     * the material, unit vectors, for the shear. */
-    const std::array<dealii::Tensor<1, 2>, 2> &
-    middle_directions() const
-    {
-      return middle_tangents;
     }
 
   private:
@@ -241,10 +232,9 @@ namespace Biface
     /** The factors of the products of directors, by the groups of Modes. */
     std::array<std::array<double, 10>, 4> of_directors;
 
-    double                                             weight;
-    dealii::Tensor<2, 3>                               frame;
-    std::array<std::array<dealii::Tensor<1, 2>, 2>, 2> tangents;
-    std::array<dealii::Tensor<1, 2>, 2>                middle_tangents;
+    double               weight;
+    dealii::Tensor<2, 3> frame;
+    CellTangents         tangents;
 
     /** The physical modes: tangential strains of a face and shear strains in
      * the constant group, and tangential strains of the faces with the twist,

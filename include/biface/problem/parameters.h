@@ -93,6 +93,12 @@ namespace Biface
     void
     assign_load_factors();
 
+    /** Read the mesh of a surface of type 'mesh', whose groups of single points
+     * become named points. Must be called on all ranks. Throws InputError, see
+     * MeshFile::read(). */
+    void
+    read_mesh(const MPI_Comm communicator);
+
     /** Append the stages of a tire test. Throws InputError if the tire cannot
      * be tested. */
     void
@@ -203,10 +209,15 @@ namespace Biface
     void
     check_rolling() const;
 
-    /** Throws InputError if the edges of a closed coordinate are supported or
-     * loaded. */
+    /** Throws InputError if edges that do not exist are supported or loaded,
+     * on a surface with coordinates. */
     void
     check_edges() const;
+
+    /** Throws InputError if anything needs coordinates, on a mesh from a
+     * file. */
+    void
+    check_mesh_from_file() const;
   };
 
 

@@ -55,13 +55,21 @@ namespace Biface
     struct Parameters;
 
     /** The coordinates of the grid lines in ascending order, in the internal
-     * unit of the surface. */
+     * unit of the surface. Empty for a mesh without lines, on a surface that
+     * has no coordinates. */
     std::array<std::vector<double>, 2> lines;
 
     /** Whether the last line of the second coordinate is the first one. */
     bool closed = false;
 
     MeshDistribution distribution = MeshDistribution::shared;
+
+    /** Whether there are lines. */
+    bool
+    has_lines() const
+    {
+      return !lines[0].empty();
+    }
 
     /**
      * The grid with the lines of the intervals on a surface.

@@ -70,6 +70,14 @@ namespace Biface
       return {};
     }
 
+    /** Whether points have coordinates: without, evaluate() and pull_back() are
+     * not possible, see SurfaceWithoutChart. */
+    virtual bool
+    has_chart() const
+    {
+      return true;
+    }
+
     /** The minimum and maximum of the first coordinate. */
     virtual std::pair<double, double>
     range() const = 0;

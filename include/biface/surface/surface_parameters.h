@@ -11,6 +11,7 @@
 #include <biface/surface/circular_arc.h>
 #include <biface/surface/cord_equilibrium.h>
 #include <biface/surface/imperfection.h>
+#include <biface/surface/mesh_file.h>
 #include <biface/surface/reference_surface.h>
 #include <biface/surface/straight_line.h>
 
@@ -25,7 +26,8 @@ namespace Biface
     enum class Type
     {
       revolution,
-      plane
+      plane,
+      mesh
     };
 
     enum class MeridianType
@@ -46,6 +48,7 @@ namespace Biface
     /** The least radius of curvature of the kinks among the points; 0 for a
      * spline through all of them. Unit: length. */
     double                   corner_radius = 0;
+    MeshFile                 mesh;
     Imperfection::Parameters imperfection;
 
     void

@@ -81,8 +81,8 @@ namespace Biface
         // volume that does not belong to the cavity
         if (rim_radius > 0)
           for (const BoundarySegment &segment : mesh.boundary)
-            if (segment.edge == Edge::alpha_1_min ||
-                segment.edge == Edge::alpha_1_max)
+            if (segment.is_on(Edge::alpha_1_min) ||
+                segment.is_on(Edge::alpha_1_max))
               {
                 MixedElement::NodalVector of_cell;
                 for (unsigned int n = 0; n < 2; ++n)
@@ -237,7 +237,7 @@ namespace Biface
   {
     double radius = std::numeric_limits<double>::max();
     for (const BoundarySegment &side : mesh.boundary)
-      if (side.edge == Edge::alpha_1_min || side.edge == Edge::alpha_1_max)
+      if (side.is_on(Edge::alpha_1_min) || side.is_on(Edge::alpha_1_max))
         {
           const Cell         &cell    = mesh.cells[side.cell];
           const SurfacePoint &surface = mesh.nodes[side.nodes[0]].surface;

@@ -147,7 +147,7 @@ namespace Biface
         std::vector<std::string> words = split_words(named.second);
         EdgeForce                force;
         force.text = item;
-        force.edge = parse_edge(entry, item, named.first);
+        force.edge = named.first;
 
         // words in pairs are taken out first; parse_force() knows only single
         // ones
@@ -279,14 +279,11 @@ namespace Biface
                    const EdgeForce &force,
                    LA::Vector      &nodal_forces)
     {
-      // the coordinate that changes along the edge
-      const unsigned int along =
-        (force.edge == Edge::alpha_1_min || force.edge == Edge::alpha_1_max
-           ? 1
-           : 0);
+      const unsigned int edge =
+        mesh.find_edge("Loads/Edge forces", force.text, force.edge);
       unsigned int n_loaded = 0;
       for (const BoundarySegment &segment : mesh.boundary)
-        if (segment.edge == force.edge)
+        if (segment.edge == edge)
           for (unsigned int k = 0; k < 2; ++k)
             {
               const Node     &node = mesh.nodes[segment.nodes[k]];
@@ -318,8 +315,7 @@ namespace Biface
               // segment has its own height
               const double height = heights[0] + part * thickness;
               const double stretch =
-                (force.true_length ? 1 + node.surface.curvature[along] * height
-                                   : 1.);
+                (force.true_length ? 1 + segment.curvatures[k] * height : 1.);
               const double share = stretch * segment.length / 2;
               if (force.ply > 0)
                 add_nodal_force(node,
@@ -344,9 +340,11 @@ namespace Biface
                    LA::Vector      &nodal_forces)
     {
       for (const Cell &cell : mesh.wall_elements())
-        for (const unsigned int n : cell.nodes)
-          add_nodal_force(
-            mesh.nodes[n], force, cell.geometry.weight / 4, nodal_forces);
+        for (unsigned int v = 0; v < 4; ++v)
+          add_nodal_force(mesh.nodes[cell.nodes[v]],
+                          force,
+                          cell.geometry.vertex_areas[v],
+                          nodal_forces);
     }
 
 
@@ -410,12 +408,13 @@ namespace Biface
         // a couple with constant directions, which is that of the undeformed
         // director
         MixedElement::NodalVector force;
-        for (const unsigned int vertex : moment.vertices)
+        for (unsigned int v = 0; v < 2; ++v)
           {
-            Tensor<1, 3> director;
+            const unsigned int vertex = moment.vertices[v];
+            Tensor<1, 3>       director;
             director[2] = moment.section.geometry.vertices[vertex].thickness;
             moment.add_couple(
-              FollowerCouple(moment.moment, moment.axis, director).force,
+              FollowerCouple(moment.moment, moment.axes[v], director).force,
               vertex,
               force);
           }

@@ -24,7 +24,7 @@ namespace Biface
         if (words.size() != 2 || (words[1] != "dead" && words[1] != "follower"))
           throw InputError(entry, item, form);
         moments.push_back({item,
-                           parse_edge(entry, item, named.first),
+                           named.first,
                            parse_number(entry, words[0], form),
                            words[1] == "follower"});
       }
@@ -111,7 +111,7 @@ namespace Biface
       if (n == 1)
         return section;
       const unsigned int a =
-        (segment.edge == Edge::alpha_1_min || segment.edge == Edge::alpha_1_max
+        (segment.is_on(Edge::alpha_1_min) || segment.is_on(Edge::alpha_1_max)
            ? 0
            : 1);
       for (const unsigned int vertex : segment.vertices)
@@ -138,29 +138,14 @@ namespace Biface
         if (moment.follower != follower)
           continue;
 
-        // e_3 x (outward normal of the edge)
-        Tensor<1, 3> axis;
-        switch (moment.edge)
-          {
-            case Edge::alpha_1_min:
-              axis[1] = -1;
-              break;
-            case Edge::alpha_1_max:
-              axis[1] = 1;
-              break;
-            case Edge::alpha_2_min:
-              axis[0] = 1;
-              break;
-            case Edge::alpha_2_max:
-              axis[0] = -1;
-              break;
-          }
+        const unsigned int edge =
+          mesh.find_edge("Loads/Edge moments", moment.text, moment.edge);
         for (const BoundarySegment &segment : mesh.boundary)
-          if (segment.edge == moment.edge)
+          if (segment.edge == edge)
             result.push_back({section_of(mesh, segment),
                               segment.vertices,
                               moment.moment * segment.length / 2,
-                              axis,
+                              segment.axes,
                               moment.factor});
       }
     return result;
@@ -219,14 +204,15 @@ namespace Biface
   FollowerCouple
   FollowerMoments::couple(const CellState   &at,
                           const SideMoment  &moment,
-                          const unsigned int vertex)
+                          const unsigned int end)
   {
-    Tensor<1, 3> director;
+    const unsigned int vertex = moment.vertices[end];
+    Tensor<1, 3>       director;
     for (unsigned int i = 0; i < 3; ++i)
       director[i] =
         2 * at.V[MixedElement::dof(vertex, i, MixedElement::half_difference)];
     director[2] += at.cell.geometry.vertices[vertex].thickness;
-    return FollowerCouple(moment.moment, moment.axis, director);
+    return FollowerCouple(moment.moment, moment.axes[end], director);
   }
 
 
@@ -235,9 +221,10 @@ namespace Biface
   {
     const SideMoment &moment = moments[at.index];
     const double      factor = factor_at(at.loads.factors, moment.factor);
-    for (const unsigned int vertex : moment.vertices)
+    for (unsigned int end = 0; end < 2; ++end)
       {
-        const FollowerCouple couple = this->couple(at, moment, vertex);
+        const unsigned int   vertex = moment.vertices[end];
+        const FollowerCouple couple = this->couple(at, moment, end);
         const auto           dof    = [&](const unsigned int i) {
           return MixedElement::dof(vertex, i, MixedElement::half_difference);
         };
@@ -259,10 +246,10 @@ namespace Biface
                                        MixedElement::NodalVector &force) const
   {
     const SideMoment &moment = moments[at.index];
-    for (const unsigned int vertex : moment.vertices)
+    for (unsigned int end = 0; end < 2; ++end)
       moment.add_couple(factor_at(rates.factors, moment.factor) *
-                          couple(at, moment, vertex).force,
-                        vertex,
+                          couple(at, moment, end).force,
+                        moment.vertices[end],
                         force);
   }
 } // namespace Biface

@@ -41,7 +41,7 @@ namespace Biface
     // away from the cavity, which is on the side of the face
     const Tensor<1, 3> of_axis =
       surface.position - (surface.position * axis) * axis;
-    const bool at_end  = (segment.edge == Edge::alpha_1_max);
+    const bool at_end  = segment.is_on(Edge::alpha_1_max);
     const bool follows = cross_product_3d(axis, of_axis) * surface.frame[1] > 0;
     const double outward =
       (follows == at_end ? -1. : 1.) * (face == Resultants::inner ? 1. : -1.);
@@ -54,7 +54,9 @@ namespace Biface
   {
     const std::vector<Edge> &edges = pressure.end_plates;
     for (const BoundarySegment &segment : mesh.boundary)
-      if (std::find(edges.begin(), edges.end(), segment.edge) != edges.end())
+      if (std::any_of(edges.begin(), edges.end(), [&](const Edge edge) {
+            return segment.is_on(edge);
+          }))
         for (const unsigned int n : segment.nodes)
           {
             const Node        &node = mesh.nodes[n];

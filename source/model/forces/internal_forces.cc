@@ -6,6 +6,7 @@
 #include <limits>
 
 #include <biface/element/nonlinear_plies.h>
+#include <biface/element/quadrilateral.h>
 #include <biface/input/formula.h>
 #include <biface/laminate/layup.h>
 #include <biface/model/forces/internal_forces.h>
@@ -16,6 +17,20 @@
 namespace Biface
 {
   using namespace dealii;
+
+  namespace
+  {
+    /** The tangents of a cell of any shape; null for those along lines, which
+     * are the axes of the material. */
+    const CellTangents *
+    tangents_of(const Cell &cell)
+    {
+      return cell.geometry.along_lines
+               ? nullptr
+               : &cell.geometry.quadrilateral->get_tangents();
+    }
+  } // namespace
+
 
   InternalForces::InternalForces(const ShellMesh &mesh)
     : mesh(mesh)
@@ -39,6 +54,15 @@ namespace Biface
           stiffness.back().release_thickness_strain(
             strip.laminate.stiffness_of_slack_cords());
       }
+    if (std::any_of(mesh.cells.begin(), mesh.cells.end(), [](const Cell &cell) {
+          return tangents_of(cell);
+        }))
+      for (const Cell &cell : mesh.cells)
+        {
+          of_cells.push_back(stiffness[cell.strip]);
+          if (const CellTangents *tangents = tangents_of(cell))
+            of_cells.back().turn(*tangents);
+        }
     of_laminate = resultants_of_laminate();
     // stresses follow from the strains since the imperfect shape, which is free
     // of stress (section 1 of doc/theory.md)
@@ -473,8 +497,37 @@ namespace Biface
   InternalForces::strains_at_vertices(const State       &state,
                                       const unsigned int c) const
   {
-    return nonlinear_plies(mesh.cells[c])
-      .strains_at_vertices(total_strains(state, c), history(state, c));
+    auto strains =
+      nonlinear_plies(mesh.cells[c])
+        .strains_at_vertices(total_strains(state, c), history(state, c));
+    if (const CellTangents *tangents = tangents_of(mesh.cells[c]))
+      {
+        const auto E = tangents->strains_at_vertices(total_strains(state, c));
+        for (unsigned int v = 0; v < 4; ++v)
+          strains[v].E = E[v];
+      }
+    return strains;
+  }
+
+
+  std::array<Resultants::Vector, 4>
+  InternalForces::total_strains_at_vertices(const State       &state,
+                                            const unsigned int c) const
+  {
+    const Modes::Vector E        = total_strains(state, c);
+    const CellTangents *tangents = tangents_of(mesh.cells[c]);
+    return tangents ? tangents->strains_at_vertices(E) : Modes::at_vertices(E);
+  }
+
+
+  std::array<Resultants::Vector, 4>
+  InternalForces::total_resultants_at_vertices(const State       &state,
+                                               const unsigned int c) const
+  {
+    const Modes::Vector H        = total_resultants(state, c);
+    const CellTangents *tangents = tangents_of(mesh.cells[c]);
+    return tangents ? tangents->resultants_at_vertices(H)
+                    : Modes::at_vertices(H);
   }
 
 

@@ -101,7 +101,7 @@ namespace Biface
               const AreaMeasure  area,
               const unsigned int face)
   {
-    const double middle = cell.geometry.weight / 4;
+    const double middle = cell.geometry.vertex_areas[vertex];
     return area == AreaMeasure::middle
              ? middle
              : middle / cell.geometry.vertices[vertex].metric.area_ratio(face);

@@ -270,6 +270,8 @@ namespace Biface
         see(edge);
       for (const PointSupport &point : supports.points)
         see(point.conditions);
+      for (const EdgeSupport &edge : supports.named_edges)
+        see(edge.conditions);
       return last + 1;
     }
 
@@ -360,21 +362,24 @@ namespace Biface
             add(node, item.conditions, false);
         });
       }
+    const auto add_edge = [&](const std::string                   &entry,
+                              const unsigned int                   edge,
+                              const std::vector<SupportCondition> &conditions) {
+      check_components(entry, conditions, surface);
+      supported.bodies.push_back(mesh.edges[edge].name);
+      agree_on_errors(mesh.communicator, [&]() {
+        for (const unsigned int n : mesh.edges[edge].nodes)
+          add(n, conditions, first_of.count(n) > 0 || is_first.count(n) > 0);
+      });
+    };
     for (unsigned int edge = 0; edge < 4; ++edge)
       if (!supports.edges[edge].empty())
-        {
-          check_components(
-            "Supports/" + edge_names[edge], supports.edges[edge], surface);
-          supported.bodies.push_back(edge_names[edge]);
-          agree_on_errors(mesh.communicator, [&]() {
-            for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
-              if (mesh.grid.on_edge(mesh.nodes[n].grid_index,
-                                    static_cast<Edge>(edge)))
-                add(n,
-                    supports.edges[edge],
-                    first_of.count(n) > 0 || is_first.count(n) > 0);
-          });
-        }
+        add_edge("Supports/" + edge_names[edge], edge, supports.edges[edge]);
+    const std::string entry = "Supports/Edge supports";
+    for (const EdgeSupport &support : supports.named_edges)
+      add_edge(entry,
+               mesh.find_edge(entry, support.text, support.edge),
+               support.conditions);
     if (supports.is_cyclic())
       for (unsigned int i = 0; i < 2; ++i)
         {

@@ -115,8 +115,39 @@ namespace Biface
   } // namespace
 
 
+  namespace
+  {
+    /** The number of the node at a point of a surface without coordinates.
+     * Throws InputError if there is none. */
+    types::global_cell_index
+    find_node(const NamedPoint            &point,
+              const std::vector<Point<3>> &positions,
+              const double                 size)
+    {
+      const auto nearest =
+        std::min_element(positions.begin(),
+                         positions.end(),
+                         [&](const Point<3> &a, const Point<3> &b) {
+                           return a.distance_square(*point.position) <
+                                  b.distance_square(*point.position);
+                         });
+      const auto text = [](const Point<3> &x) {
+        return number_to_string(x[0]) + " " + number_to_string(x[1]) + " " +
+               number_to_string(x[2]);
+      };
+      if (!(nearest->distance(*point.position) <= 1e-6 * size))
+        throw InputError("Named points",
+                         point.name + ": " + text(*point.position),
+                         "a point must be a node of the mesh; the nearest "
+                         "node is at " +
+                           text(*nearest));
+      return nearest - positions.begin();
+    }
+  } // namespace
+
+
   void
-  MeshNodes::find_points()
+  MeshNodes::find_points(const std::vector<Point<3>> &positions)
   {
     std::unordered_map<types::global_cell_index, unsigned int> by_number;
     for (unsigned int n = 0; n < nodes.size(); ++n)
@@ -125,13 +156,60 @@ namespace Biface
     nodes_of_points.clear();
     for (NamedPoint &point : points)
       {
-        const GridIndex grid_index = find_node(point, *this);
-        point.alpha                = grid.alpha(grid_index);
-        const auto node = by_number.find(grid.node_number(grid_index));
+        types::global_cell_index number;
+        if (point.position)
+          {
+            number         = find_node(point, positions, size());
+            point.position = positions[number];
+          }
+        else
+          {
+            const GridIndex grid_index = find_node(point, *this);
+            point.alpha                = grid.alpha(grid_index);
+            number                     = grid.node_number(grid_index);
+          }
+        const auto node = by_number.find(number);
         nodes_of_points.push_back(node != by_number.end()
                                     ? node->second
                                     : numbers::invalid_unsigned_int);
       }
+  }
+
+
+  std::string
+  MeshNodes::place_in_words(const Node &node) const
+  {
+    std::string text;
+    const auto  add = [&text](const double value) {
+      text += (text.empty() ? "(" : ", ") + number_to_string(value);
+    };
+    if (surface->has_chart())
+      for (unsigned int a = 0; a < 2; ++a)
+        add(node.alpha[a] / surface->coordinate_unit(a));
+    else
+      for (unsigned int d = 0; d < 3; ++d)
+        add(node.surface.position[d]);
+    return text + ")";
+  }
+
+
+  unsigned int
+  MeshNodes::find_edge(const std::string &entry,
+                       const std::string &text,
+                       const std::string &name) const
+  {
+    std::string names;
+    for (unsigned int i = 0; i < edges.size(); ++i)
+      {
+        if (edges[i].name == name)
+          return i;
+        names += (i == 0 ? "'" : ", '") + edges[i].name + "'";
+      }
+    throw InputError(
+      entry,
+      text,
+      edges.empty() ? "the mesh has no group of lines, which would be an edge"
+                    : "the edges are " + names);
   }
 
 

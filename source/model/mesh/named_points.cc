@@ -22,10 +22,12 @@ namespace Biface
                parse_points,
                "Points of the surface to which other entries refer and whose "
                "displacements are written to probes.csv: a comma-separated "
-               "list of 'name: alpha_1 alpha_2'. Each must be a node of the "
-               "mesh. Both may be formulas without blanks, such as 360/7; that "
-               "of alpha_1 may contain 'end', the largest alpha_1 of the "
-               "surface.",
+               "list of 'name: alpha_1 alpha_2', or of 'name: x y z' where "
+               "'Surface/Type = mesh', whose groups of single points are "
+               "points with their names. Each must be a node of the "
+               "mesh. The numbers may be formulas without blanks, such as "
+               "360/7; that of alpha_1 may contain 'end', the largest alpha_1 "
+               "of the surface.",
                Unit("degrees for an angle, length otherwise"));
   }
 
@@ -34,7 +36,8 @@ namespace Biface
   parse_points(const std::string &entry, const std::string &text)
   {
     const std::string form = "each point must have the form 'name: alpha_1 "
-                             "alpha_2'";
+                             "alpha_2' or, on a mesh from a file, 'name: x y "
+                             "z'";
 
     std::vector<NamedPoint> points;
     std::set<std::string>   names;
@@ -46,14 +49,28 @@ namespace Biface
         if (!names.insert(named.first).second)
           throw InputError(entry, item, "the names of points must be unique");
         const auto words = split_words(named.second);
+        NamedPoint point;
+        point.name = named.first;
+        if (words.size() == 3)
+          {
+            Point<3> x;
+            for (unsigned int d = 0; d < 3; ++d)
+              {
+                const Coordinate coordinate(entry, words[d], item, form);
+                if (coordinate.uses_end())
+                  throw InputError(entry, named.second, form);
+                x[d] = coordinate.value(0);
+              }
+            point.position = x;
+            points.push_back(point);
+            continue;
+          }
         if (words.size() != 2)
           throw InputError(entry, named.second, form);
         const Coordinate alpha_1(entry, words[0], item, form);
         const Coordinate alpha_2(entry, words[1], item, form);
         if (alpha_2.uses_end())
           throw InputError(entry, named.second, form);
-        NamedPoint point;
-        point.name     = named.first;
         point.alpha[1] = alpha_2.value(0);
         if (alpha_1.uses_end())
           point.alpha_1 = alpha_1;
@@ -91,6 +108,16 @@ namespace Biface
     std::vector<NamedPoint> points = list;
     for (NamedPoint &point : points)
       {
+        if (point.position.has_value() == surface.has_chart())
+          throw InputError("Named points",
+                           point.name,
+                           surface.has_chart()
+                             ? "it must have two coordinates, alpha_1 and "
+                               "alpha_2, on this surface"
+                             : "it must have three coordinates, x, y and z, on "
+                               "a mesh from a file");
+        if (point.position)
+          continue;
         if (point.alpha_1)
           point.alpha[0] = point.alpha_1->value(surface.end(0));
         for (unsigned int a = 0; a < 2; ++a)

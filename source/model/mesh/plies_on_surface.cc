@@ -15,6 +15,8 @@ namespace Biface
                    const ChartGrid                               &grid)
   {
     SurfaceOfPlies plies;
+    if (!surface->has_chart())
+      return plies;
     plies.end              = surface->end(0);
     plies.crown_cord_angle = surface->crown_cord_angle();
     plies.curvature        = [surface](const double alpha_1) {

@@ -2,12 +2,9 @@
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/mpi.h>
-#include <deal.II/distributed/fully_distributed_tria.h>
-#include <deal.II/distributed/shared_tria.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/grid/grid_tools.h>
-#include <deal.II/grid/tria_description.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +16,7 @@
 #include <biface/input/formula.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/laminate/layup.h>
+#include <biface/model/mesh/parallel_triangulation.h>
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/model/mesh/supports.h>
@@ -26,8 +24,6 @@
 #include <biface/surface/imperfection.h>
 #include <biface/surface/meridian.h>
 #include <biface/surface/reference_surface.h>
-
-#include <boost/signals2/connection.hpp>
 
 namespace Biface
 {
@@ -80,48 +76,6 @@ namespace Biface
 
   namespace
   {
-    std::unique_ptr<parallel::TriangulationBase<2, 3>>
-    make_triangulation(const MPI_Comm          communicator,
-                       const ReferenceSurface &surface,
-                       const ChartGrid        &grid)
-    {
-      const unsigned int n_ranks =
-        Utilities::MPI::n_mpi_processes(communicator);
-      if (grid.distribution == MeshDistribution::shared)
-        {
-          auto shared = std::make_unique<parallel::shared::Triangulation<2, 3>>(
-            communicator,
-            Triangulation<2, 3>::none,
-            true,
-            parallel::shared::Triangulation<2, 3>::partition_custom_signal);
-          const boost::signals2::scoped_connection partition =
-            shared->signals.create.connect([&, whole = shared.get()] {
-              partition_triangulation(surface, grid, n_ranks, *whole);
-            });
-          create_triangulation(surface, grid, *shared);
-          return shared;
-        }
-
-      // the first rank holds all cells for a while, to partition them
-      const auto description = TriangulationDescription::Utilities::
-        create_description_from_triangulation_in_groups<2, 3>(
-          [&](Triangulation<2, 3> &whole) {
-            create_triangulation(surface, grid, whole);
-          },
-          [&](Triangulation<2, 3> &whole, const MPI_Comm &, unsigned int) {
-            partition_triangulation(surface, grid, n_ranks, whole);
-          },
-          communicator,
-          n_ranks);
-      auto distributed =
-        std::make_unique<parallel::fullydistributed::Triangulation<2, 3>>(
-          communicator);
-      distributed->set_manifold(0, surface);
-      distributed->create_triangulation(description);
-      return distributed;
-    }
-
-
     /** The lines of the first coordinate in the user's unit. Throws InputError
      * if a ply ends between two lines. */
     std::vector<double>
@@ -433,7 +387,38 @@ namespace Biface
     for (const unsigned int side : {0, 1})
       check_geometry(*this->surface, grid, faces.on_side(side));
 
-    triangulation = make_triangulation(communicator, *this->surface, grid);
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    triangulation              = make_parallel_triangulation(
+      communicator,
+      grid.distribution,
+      [&](Triangulation<2, 3> &whole) {
+        create_triangulation(*this->surface, grid, whole);
+      },
+      [&](Triangulation<2, 3> &whole) {
+        partition_triangulation(*this->surface, grid, n_ranks, whole);
+      },
+      this->surface.get());
+    distribute_dofs();
+
+    // the positions of entries are known when cyclic edges have added the
+    // unknowns of other ranks
+    collect_cells_and_nodes(faces);
+    if (supports.is_cyclic())
+      add_cyclic_nodes(faces);
+    for (unsigned int edge = 0; edge < edge_names.size(); ++edge)
+      {
+        edges.push_back({edge_names[edge], {}});
+        for (unsigned int n = 0; n < nodes.size(); ++n)
+          if (grid.on_edge(nodes[n].grid_index, static_cast<Edge>(edge)))
+            edges.back().nodes.push_back(n);
+      }
+    complete(supports);
+  }
+
+
+  void
+  ShellMesh::distribute_dofs()
+  {
     const auto new_dof_handler =
       std::make_shared<DoFHandler<2, 3>>(*triangulation);
     new_dof_handler->distribute_dofs(
@@ -443,12 +428,13 @@ namespace Biface
     DoFTools::extract_locally_relevant_dofs(*dof_handler, locally_relevant);
 
     diameter = diagonal_of_box(*triangulation);
+  }
 
-    // the positions of entries are known when cyclic edges have added the
-    // unknowns of other ranks
-    collect_cells_and_nodes(faces);
-    if (supports.is_cyclic())
-      add_cyclic_nodes(faces);
+
+  void
+  ShellMesh::complete(const Supports              &supports,
+                      const std::vector<Point<3>> &positions)
+  {
     locally_relevant.compress();
     for (Cell &cell : cells)
       for (const auto dof : cell.dofs)
@@ -465,7 +451,7 @@ namespace Biface
       }
     n_all_elements = Utilities::MPI::sum(
       static_cast<types::global_dof_index>(cells.size()), communicator);
-    find_points();
+    find_points(positions);
     make_constraints(supports, *this, constraints, prescribed, supported);
 
     for (Node &node : nodes)
@@ -555,8 +541,9 @@ namespace Biface
   {
     const std::shared_ptr<ShellMesh> result(new ShellMesh(*this));
     result->set_layup(other);
-    const Faces faces(*result->layup, *surface, grid);
-    result->strips = faces.strips;
+    result->strips = grid.has_lines()
+                       ? Faces(*result->layup, *surface, grid).strips
+                       : strips_without_lines(*result->layup);
     if (strips.size() != result->strips.size())
       return nullptr;
     for (unsigned int i = 0; i < strips.size(); ++i)
@@ -711,12 +698,21 @@ namespace Biface
               const double       end    = grid.lines[a][cell_index[a] + 1];
               Point<2>           middle = nodes[side[0]].alpha;
               middle[a]                 = (start + end) / 2;
-              boundary.push_back(
-                {static_cast<Edge>(cell->face(f)->boundary_id()),
-                 static_cast<unsigned int>(cells.size()),
-                 ends,
-                 side,
-                 (end - start) * surface->evaluate(middle).lame[a]});
+              BoundarySegment segment{cell->face(f)->boundary_id(),
+                                      static_cast<unsigned int>(cells.size()),
+                                      ends,
+                                      side,
+                                      (end - start) *
+                                        surface->evaluate(middle).lame[a],
+                                      {},
+                                      {}};
+              for (unsigned int k = 0; k < 2; ++k)
+                {
+                  // against alpha_2 on the edges alpha_1 min and alpha_2 max
+                  segment.axes[k][a]    = (f == 1 || f == 2 ? 1 : -1);
+                  segment.curvatures[k] = nodes[side[k]].surface.curvature[a];
+                }
+              boundary.push_back(segment);
             }
 
         const unsigned int strip           = cell_index[0];
@@ -726,6 +722,7 @@ namespace Biface
                              const unsigned int last) {
           Cell local;
           local.nodes    = cell_nodes;
+          local.position = cells.size();
           local.strip    = strip_of_plies;
           local.column   = number;
           local.is_wall  = (first == 0 && last + 1 == n_layers());

@@ -70,6 +70,17 @@ namespace Biface
           "coordinate has no edges; leave them 'free'.",
         Unit("length"));
     add_parsed(prm,
+               "Edge supports",
+               "",
+               named_edges,
+               parse_edge_supports,
+               "Supports of the edges of a surface of type 'mesh', its groups "
+               "of lines: a comma-separated list of 'name: support', with "
+               "supports as for edges, but 'symmetry x', 'symmetry y' or "
+               "'symmetry z' for an edge in a plane of symmetry normal to this "
+               "direction, to which the shell is normal.",
+               Unit("length"));
+    add_parsed(prm,
                "Point supports",
                "",
                points,
@@ -173,6 +184,41 @@ namespace Biface
     if (conditions.empty())
       throw InputError(entry, text, form);
     return conditions;
+  }
+
+
+  std::vector<EdgeSupport>
+  parse_edge_supports(const std::string &entry, const std::string &text)
+  {
+    const std::vector<std::string> planes{
+      "symmetry x", "symmetry y", "symmetry z"};
+    std::vector<EdgeSupport> supports;
+    for (const std::string &item : split_list(entry, text))
+      {
+        const auto  named = split_named(entry,
+                                       item,
+                                       "each support must have the form 'name: "
+                                        "support'");
+        EdgeSupport support{named.first, item, {}, {}};
+        const auto  plane =
+          std::find(planes.begin(), planes.end(), named.second);
+        if (plane != planes.end())
+          {
+            support.symmetry = plane - planes.begin();
+            support.conditions =
+              parse_support(entry, named.second.substr(9) + " both", 3);
+          }
+        else if (named.second == "symmetry")
+          throw InputError(entry,
+                           item,
+                           "the direction normal to the plane of symmetry is "
+                           "needed: 'symmetry x', 'symmetry y' or 'symmetry "
+                           "z'");
+        else
+          support.conditions = parse_support(entry, named.second, 3);
+        supports.push_back(support);
+      }
+    return supports;
   }
 
 

@@ -78,22 +78,6 @@ namespace Biface
     }
 
 
-    /** The number of cells that share a node. */
-    unsigned int
-    n_cells_around(const ChartGrid &grid, const std::size_t node_number)
-    {
-      const GridIndex node{
-        {static_cast<unsigned int>(node_number % grid.n_nodes(0)),
-         static_cast<unsigned int>(node_number / grid.n_nodes(0))}};
-      unsigned int n = 1;
-      for (unsigned int a = 0; a < 2; ++a)
-        if ((a == 1 && grid.closed) ||
-            (node[a] > 0 && node[a] + 1 < grid.n_nodes(a)))
-          n *= 2;
-      return n;
-    }
-
-
     /** See Footprint::max_pressure; on the first rank. */
     double
     max_recovered_pressure(const ContactPair &pair,
@@ -104,7 +88,7 @@ namespace Biface
       const ShellMesh   &mesh = pair.mesh;
       const ContactState zone =
         contact_at_nodes(mesh, state, pair.number, *pair.body(loads));
-      constexpr unsigned int n_columns = 3;
+      constexpr unsigned int n_columns = 4;
       // the value at a vertex of the dual functions of the vertices, in one
       // dimension
       const bool lumped =
@@ -114,11 +98,13 @@ namespace Biface
       std::vector<double> values;
       for (const Cell &cell : mesh.wall_elements())
         {
-          if (!std::all_of(
-                cell.nodes.begin(),
-                cell.nodes.end(),
-                [&](const unsigned int n) { return zone.active[n]; }))
+          const auto n_active =
+            std::count_if(cell.nodes.begin(),
+                          cell.nodes.end(),
+                          [&](const unsigned int n) { return zone.active[n]; });
+          if (n_active == 0)
             continue;
+          const double is_full = (n_active == 4 ? 1. : 0.);
           for (unsigned int r = 0; r < 4; ++r)
             {
               double pressure = 0;
@@ -129,26 +115,28 @@ namespace Biface
               values.insert(
                 values.end(),
                 {static_cast<double>(mesh.nodes[cell.nodes[r]].number),
+                 is_full,
                  cell.geometry.weight,
                  cell.geometry.weight * pressure});
             }
         }
       values = gather_numbers(mesh.communicator, values);
 
-      // number of cells, area, and the integral of the pressure
-      std::vector<std::array<double, 3>> sums(n_nodes);
+      // numbers of cells and of those in contact, area, and the integral of the
+      // pressure
+      std::vector<std::array<double, n_columns>> sums(n_nodes);
       for (auto value = values.begin(); value != values.end();
            value += n_columns)
         {
           auto &sum = sums[static_cast<std::size_t>(value[0])];
           sum[0] += 1;
-          sum[1] += value[1];
-          sum[2] += value[2];
+          for (unsigned int i = 1; i < n_columns; ++i)
+            sum[i] += value[i];
         }
       double maximum = 0;
-      for (std::size_t n = 0; n < n_nodes; ++n)
-        if (sums[n][0] > 0 && sums[n][0] == n_cells_around(mesh.grid, n))
-          maximum = std::max(maximum, sums[n][2] / sums[n][1]);
+      for (const auto &sum : sums)
+        if (sum[0] > 0 && sum[1] == sum[0])
+          maximum = std::max(maximum, sum[3] / sum[2]);
       return maximum;
     }
 
@@ -251,19 +239,26 @@ namespace Biface
     };
 
 
+    /** The directions along and across the zone: across is the projection of
+     * the y axis, of the z axis if the ground travels along y. */
+    std::array<Tensor<1, 3>, 2>
+    directions_of_zone(const Tensor<1, 3> &direction)
+    {
+      Tensor<1, 3> across = Tensor<1, 3>({0, 1, 0}) - direction[1] * direction;
+      if (across.norm() < 1e-6)
+        across = Tensor<1, 3>({0, 0, 1}) - direction[2] * direction;
+      across /= across.norm();
+      return {{cross_product_3d(across, direction), across}};
+    }
+
+
     /** Length, width and area, on the first rank. */
     Footprint
     measure(const ChartGrid             &grid,
             const std::vector<FaceNode> &nodes,
             const Tensor<1, 3>          &direction)
     {
-      // the projection of the y axis, of the z axis if the ground travels
-      // along y
-      Tensor<1, 3> across = Tensor<1, 3>({0, 1, 0}) - direction[1] * direction;
-      if (across.norm() < 1e-6)
-        across = Tensor<1, 3>({0, 0, 1}) - direction[2] * direction;
-      across /= across.norm();
-      const Tensor<1, 3> along = cross_product_3d(across, direction);
+      const auto [along, across] = directions_of_zone(direction);
 
       const NodeGrid node_grid(grid, nodes);
       Footprint      result;
@@ -307,6 +302,57 @@ namespace Biface
       result.width  = width.extent();
       return result;
     }
+
+
+    /** The same on a mesh without lines, on all ranks: a node in contact covers
+     * its cells up to halfway to its neighbors. */
+    Footprint
+    measure_by_cells(const ContactPair &pair,
+                     const State       &state,
+                     const Loads       &loads)
+    {
+      const ShellMesh   &mesh   = pair.mesh;
+      const PlacedBody  &placed = *pair.body(loads);
+      const ContactState zone =
+        contact_at_nodes(mesh, state, pair.number, placed);
+      const auto directions = directions_of_zone(placed.body.direction());
+      Footprint  result;
+      std::array<Range, 2> extents;
+      for (const Cell &cell : mesh.wall_elements())
+        {
+          std::array<Point<3>, 4> x;
+          Point<3>                center;
+          for (unsigned int v = 0; v < 4; ++v)
+            {
+              x[v] = mesh.deformed_position(
+                state.displacement, mesh.nodes[cell.nodes[v]], pair.face);
+              center += x[v] / 4;
+            }
+          for (unsigned int v = 0; v < 4; ++v)
+            {
+              if (!zone.active[cell.nodes[v]])
+                continue;
+              const Point<3> one = x[v] + (x[v ^ 1] - x[v]) / 2,
+                             two = x[v] + (x[v ^ 2] - x[v]) / 2;
+              // of the quadrilateral of the vertex, by its diagonals
+              result.area +=
+                cross_product_3d(center - x[v], two - one).norm() / 2;
+              for (const Point<3> &end : {x[v], one, two})
+                for (unsigned int d = 0; d < 2; ++d)
+                  extents[d].add(end * directions[d]);
+            }
+        }
+      const MPI_Comm communicator = mesh.communicator;
+      result.area = Utilities::MPI::sum(result.area, communicator);
+      for (Range &range : extents)
+        {
+          range.least   = Utilities::MPI::min(range.least, communicator);
+          range.largest = Utilities::MPI::max(range.largest, communicator);
+        }
+      result.length = extents[0].extent();
+      result.width  = extents[1].extent();
+      return result;
+    }
   } // namespace
 
 
@@ -319,13 +365,17 @@ namespace Biface
     if (!pair.body(loads) || count_active(pair, state) == 0)
       return result;
 
-    const ShellMesh &mesh  = pair.mesh;
-    const auto       nodes = gather_nodes(pair, state, loads);
-    const double     max_pressure =
+    const ShellMesh &mesh = pair.mesh;
+    if (!mesh.grid.has_lines())
+      result = measure_by_cells(pair, state, loads);
+    const auto   nodes = gather_nodes(pair, state, loads);
+    const double max_pressure =
       max_recovered_pressure(pair, state, loads, nodes.size());
     if (Utilities::MPI::this_mpi_process(mesh.communicator) == 0)
       {
-        result = measure(mesh.grid, nodes, pair.body(loads)->body.direction());
+        if (mesh.grid.has_lines())
+          result =
+            measure(mesh.grid, nodes, pair.body(loads)->body.direction());
         result.max_pressure = max_pressure;
         // no node has all its neighbors in contact
         if (max_pressure == 0)

@@ -208,8 +208,7 @@ namespace Biface
             shears.emplace_back();
             continue;
           }
-        const Strains strains =
-          Modes::at_vertices(forces.total_strains(state, c));
+        const Strains strains = forces.total_strains_at_vertices(state, c);
         compressions.push_back(maximum_compression(strains));
         shears.push_back(maximum_shear(strains));
       }
@@ -242,9 +241,7 @@ namespace Biface
     for (const unsigned int c : mesh.layers)
       if (is_around(mesh.cells[c]))
         waves[c] = minimum_stiffness(
-          mesh,
-          mesh.cells[c],
-          Modes::at_vertices(forces.total_resultants(state, c)));
+          mesh, mesh.cells[c], forces.total_resultants_at_vertices(state, c));
     auto softest = maximum(mesh, waves);
     if (softest)
       softest->stiffness.value *= -1;
@@ -273,9 +270,12 @@ namespace Biface
                     digits(std::abs(strain.position[i]) < 1e-9 * size
                              ? 0.
                              : strain.position[i]);
-      return "at alpha_1 = " + digits(strain.alpha[0]) +
-             ", alpha_2 = " + digits(strain.alpha[1]) + " (cell " +
-             std::to_string(strain.cell) + "; x, y, z = " + position + ")" +
+      return (std::isnan(strain.alpha[0])
+                ? "at x, y, z = (" + position + ")"
+                : "at alpha_1 = " + digits(strain.alpha[0]) +
+                    ", alpha_2 = " + digits(strain.alpha[1]) + " (cell " +
+                    std::to_string(strain.cell) + "; x, y, z = " + position +
+                    ")") +
              (!strain.face
                 ? ""
                 : std::string(" on the ") +

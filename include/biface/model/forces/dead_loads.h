@@ -45,7 +45,8 @@ namespace Biface
   {
     /** The text of the user. */
     std::string text;
-    Edge        edge;
+    /** The name of the edge, see MeshNodes::edges. */
+    std::string edge;
     /** The force per length, for the load factor 1. Unit: force/length. */
     DeadForce force;
     /** The ply in whose middle the force acts, counted from 1 at the inner

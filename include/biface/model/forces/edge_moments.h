@@ -19,7 +19,8 @@ namespace Biface
   {
     /** The text of the user. */
     std::string text;
-    Edge        edge;
+    /** The name of the edge, see MeshNodes::edges. */
+    std::string edge;
     /** The moment per length on the reference surface, for the load factor 1.
      * Unit: force. */
     double moment;
@@ -52,10 +53,10 @@ namespace Biface
     /** The moment at each vertex, per unit of the load factor. Unit: force
      * times length. */
     double moment;
-    /** The axis of the moment in the frame of the node: the moment pushes the
-     * outer face outward beyond the edge, in the direction
-     * @f$\boldsymbol\omega\times\mathbf e_3@f$. */
-    dealii::Tensor<1, 3> axis;
+    /** The axes of the moment at both vertices in the frames of the nodes, see
+     * BoundarySegment::axes: the moment pushes the outer face outward beyond
+     * the edge, in the direction @f$\boldsymbol\omega\times\mathbf e_3@f$. */
+    std::array<dealii::Tensor<1, 3>, 2> axes;
     /** The position of the factor of the moment in Loads::factors. */
     unsigned int factor;
 
@@ -117,11 +118,12 @@ namespace Biface
                         MixedElement::NodalVector &force) const override;
 
   private:
-    /** The couple at a vertex of a moment for the load factor 1. */
+    /** The couple at one of the vertices of a moment, 0 or 1, for the load
+     * factor 1. */
     static FollowerCouple
     couple(const CellState   &at,
            const SideMoment  &moment,
-           const unsigned int vertex);
+           const unsigned int end);
 
     const std::vector<SideMoment> moments;
   };

@@ -155,6 +155,15 @@ namespace Biface
     std::array<StrainsOfPlies, 4>
     strains_at_vertices(const State &state, const unsigned int cell) const;
 
+    /** The total strains and resultants at the vertices of a layer, along the
+     * axes of the material. */
+    std::array<Resultants::Vector, 4>
+    total_strains_at_vertices(const State       &state,
+                              const unsigned int cell) const;
+    std::array<Resultants::Vector, 4>
+    total_resultants_at_vertices(const State       &state,
+                                 const unsigned int cell) const;
+
     /** The resultants of a layer, including initial ones. */
     Modes::Vector
     total_resultants(const State &state, const unsigned int cell) const
@@ -230,7 +239,7 @@ namespace Biface
     const ModeStiffness &
     stiffness_of(const Cell &cell) const
     {
-      return stiffness[cell.strip];
+      return of_cells.empty() ? stiffness[cell.strip] : of_cells[cell.position];
     }
 
     const NonlinearPlies &
@@ -274,7 +283,10 @@ namespace Biface
     const ShellMesh &mesh;
     /** The laws of the layers and of their plies that are not linear, by
      * ShellMesh::strips. */
-    std::vector<ModeStiffness>  stiffness;
+    std::vector<ModeStiffness> stiffness;
+    /** The laws by ShellMesh::cells where the tangents of cells are not the
+     * axes of the material; empty otherwise. */
+    std::vector<ModeStiffness>  of_cells;
     std::vector<NonlinearPlies> nonlinear;
     RelaxationInTransport       transport;
     bool                        symmetric_stiffness;

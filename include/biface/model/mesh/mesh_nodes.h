@@ -37,15 +37,16 @@ namespace Biface
    */
   struct Node
   {
-    /** The lines of the grid that meet at the node. */
+    /** The lines of the grid that meet at the node; of no meaning without
+     * lines. */
     GridIndex grid_index;
 
-    /** The number of the node, see ChartGrid::node_number(), which does not
-     * depend on the number of ranks. */
+    /** The number of the node, see ChartGrid::node_number(), or its position in
+     * QuadrilateralMesh::nodes; it does not depend on the number of ranks. */
     dealii::types::global_cell_index number;
 
     /** The coordinates @f$(\alpha_1,\alpha_2)@f$, in the internal unit of the
-     * surface. */
+     * surface; not a number without coordinates. */
     dealii::Point<2> alpha;
 
     SurfacePoint surface;
@@ -144,8 +145,28 @@ namespace Biface
 
     ~MeshNodes();
 
-    const MPI_Comm  communicator;
+    const MPI_Comm communicator;
+    /** The lines of the mesh, see ChartGrid::has_lines(). */
     const ChartGrid grid;
+
+    /** An edge of the shell, or a line of a mesh from a file. */
+    struct NamedEdge
+    {
+      std::string name;
+      /** The nodes of this rank on it, by their positions in @p nodes. */
+      std::vector<unsigned int> nodes;
+    };
+
+    /** The edges: those of a grid in the order of Edge, or the groups of lines
+     * of a mesh from a file. */
+    std::vector<NamedEdge> edges;
+
+    /** The position of an edge in @p edges. Throws InputError that names
+     * @p entry and @p text if there is no such edge. */
+    unsigned int
+    find_edge(const std::string &entry,
+              const std::string &text,
+              const std::string &name) const;
 
     /** The nodes of this rank: those of its cells and of their neighbors, also
      * across cyclic edges. */
@@ -165,6 +186,11 @@ namespace Biface
     unsigned int
     node_of_point(const std::string &entry, const std::string &name) const;
 
+    /** The coordinates of a node in the user's unit, or its position where
+     * there are none, in parentheses. */
+    std::string
+    place_in_words(const Node &node) const;
+
     const ReferenceSurface &
     get_surface() const
     {
@@ -180,9 +206,10 @@ namespace Biface
 
   protected:
     /** Find the nodes of the named points. Throws InputError that names the
-     * nearest node if a point is not a node. */
+     * nearest node if a point is not a node.
+     * @param positions those of all nodes of a mesh from a file. */
     void
-    find_points();
+    find_points(const std::vector<dealii::Point<3>> &positions = {});
 
     std::shared_ptr<const ReferenceSurface> surface;
     double                                  diameter = 0;

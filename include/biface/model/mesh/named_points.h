@@ -26,11 +26,13 @@ namespace Biface
     dealii::Point<2> alpha;
     /** The first coordinate, if it depends on the `end` of the surface. */
     std::optional<Coordinate> alpha_1 = {};
+    /** The position of a point on a surface without coordinates. */
+    std::optional<dealii::Point<3>> position = {};
   };
 
   /** Read a comma-separated list of points, 'name: alpha_1 alpha_2', in the
-   * unit of parameter files. Throws InputError if it is malformed or contains a
-   * name twice. */
+   * unit of parameter files, or 'name: x y z'. Throws InputError if it is
+   * malformed or contains a name twice. */
   std::vector<NamedPoint>
   parse_points(const std::string &entry, const std::string &text);
 
@@ -52,7 +54,8 @@ namespace Biface
     void
     add_parameters(EntryDeclarations &prm);
 
-    /** The points in the internal unit of a surface. */
+    /** The points in the internal unit of a surface. Throws InputError if one
+     * is given in another way than the surface has coordinates. */
     std::vector<NamedPoint>
     on(const ReferenceSurface &surface) const;
   };

@@ -28,7 +28,9 @@ namespace Biface
   class Formula;
   class Imperfection;
   class Layup;
+  struct MeshFile;
   struct NamedPoint;
+  struct QuadrilateralMesh;
   class ReferenceSurface;
   struct Strip;
   struct Supports;
@@ -52,11 +54,13 @@ namespace Biface
     std::vector<unsigned int> positions;
     /** The positions of the nodes in ShellMesh::nodes, by vertex. */
     std::array<unsigned int, 4> nodes;
+    /** The position of the element in ShellMesh::cells. */
+    unsigned int position;
     /** The position of the strip in ShellMesh::strips. */
     unsigned int    strip;
     ElementGeometry geometry;
-    /** The number of the cell in the grid, see ChartGrid::cell_number(): the
-     * same for the wall and its layers. */
+    /** The number of the cell, see ChartGrid::cell_number(), or its position in
+     * QuadrilateralMesh::cells: the same for the wall and its layers. */
     dealii::types::global_cell_index column;
     /** The number of the element, independent of the number of ranks. */
     dealii::types::global_cell_index number;
@@ -100,18 +104,33 @@ namespace Biface
   };
 
 
-  /** A side of a locally owned cell on an edge of the shell. */
+  /** A side of a locally owned cell on an edge of the shell; for a side on
+   * several named lines there is a segment for each. */
   struct BoundarySegment
   {
-    Edge edge;
+    /** The position of the edge in MeshNodes::edges. */
+    unsigned int edge;
     /** The position of the cell in ShellMesh::cells. */
     unsigned int cell;
     /** The numbers of the vertices in the cell. */
     std::array<unsigned int, 2> vertices;
     /** The positions of the nodes in ShellMesh::nodes. */
     std::array<unsigned int, 2> nodes;
-    /** The length of the side on the reference surface. */
+    /** The length of the side on the reference surface. Unit: length. */
     double length;
+    /** The outward normal of the shell times that of the edge, in the frames of
+     * the nodes: unit vectors along the side. */
+    std::array<dealii::Tensor<1, 3>, 2> axes;
+    /** The curvatures of the surface along the side at the nodes. Unit:
+     * 1/length. */
+    std::array<double, 2> curvatures;
+
+    /** Whether the side is on an edge of a grid. */
+    bool
+    is_on(const Edge of_grid) const
+    {
+      return edge == static_cast<unsigned int>(of_grid);
+    }
   };
 
 
@@ -141,6 +160,25 @@ namespace Biface
       const StrainSampling  sampling         = StrainSampling::vertices,
       const Interpolation   interpolation    = Interpolation::components,
       const ThicknessStrain thickness_strain = ThicknessStrain::by_layers);
+
+    /**
+     * The mesh of a file. The element is Interpolation::Cartesian with
+     * StrainSampling::means.
+     *
+     * Throws InputError if the direction of the material is not finite or
+     * normal to a cell, if a face is turned inside out, or if an edge or a
+     * point does not exist.
+     *
+     * @param surface without coordinates.
+     * @param grid without lines, of which only the distribution counts.
+     */
+    ShellMesh(const MPI_Comm                          communicator,
+              std::unique_ptr<const ReferenceSurface> surface,
+              const ChartGrid                        &grid,
+              const MeshFile                         &file,
+              const Layup                            &layup,
+              const Supports                         &supports,
+              const std::vector<NamedPoint>          &points);
 
     /** Let the stress-free shell deviate from the surface, but where supports
      * hold it. Throws InputError, see Imperfection. */
@@ -215,11 +253,11 @@ namespace Biface
       return 3 * (n_layers() + 1);
     }
 
-    /** The number of strips of cells across the shell. */
+    /** The number of strips of the whole wall. */
     unsigned int
     n_strips() const
     {
-      return grid.n_cells(0);
+      return grid.has_lines() ? grid.n_cells(0) : 1;
     }
 
     /** The nodes that share a cell with each node, including itself, by their
@@ -227,7 +265,7 @@ namespace Biface
      * cyclic edges. */
     std::vector<std::vector<unsigned int>> neighbors;
 
-    /** The sides of locally owned cells on the edges of the shell. */
+    /** The sides of locally owned cells on the edges. */
     std::vector<BoundarySegment> boundary;
 
     dealii::IndexSet locally_owned;
@@ -385,6 +423,25 @@ namespace Biface
 
     /** A copy on the same triangulation. */
     ShellMesh(const ShellMesh &);
+
+    /** Distribute the unknowns on the triangulation. */
+    void
+    distribute_dofs();
+
+    /** Set what follows from cells and nodes, and from the supports.
+     * @param positions those of all nodes of a mesh from a file. */
+    void
+    complete(const Supports                      &supports,
+             const std::vector<dealii::Point<3>> &positions = {});
+
+    /** The strip of a mesh without lines. Throws InputError if the plies are
+     * not the same everywhere. */
+    static std::vector<Strip>
+    strips_without_lines(const Layup &layup);
+
+    /** Create cells, nodes and edges from a file. */
+    void
+    collect_from_file(const MeshFile &file, const Supports &supports);
 
     /** Take the plies, and say how they follow the strain of the thickness. */
     void

@@ -69,6 +69,25 @@ namespace Biface
     std::vector<SupportCondition> conditions;
   };
 
+  /** A support of an edge of a mesh from a file. */
+  struct EdgeSupport
+  {
+    std::string edge;
+    /** The item of the list, for messages. */
+    std::string                   text;
+    std::vector<SupportCondition> conditions;
+    /** The Cartesian direction normal to the plane of symmetry in which the
+     * edge lies; none if it is not one. */
+    std::optional<unsigned int> symmetry;
+  };
+
+  /** Read a comma-separated list of supports of edges, 'name: support'; see
+   * parse_support(), with 'symmetry x' and so on for edges in a plane of
+   * symmetry. Throws InputError if it is malformed. */
+  std::vector<EdgeSupport>
+  parse_edge_supports(const std::string &entry, const std::string &text);
+
+
   /** Read a comma-separated list of supports of points, 'name: support'. Throws
    * InputError if it is malformed. */
   std::vector<PointSupport>
@@ -84,6 +103,8 @@ namespace Biface
      * displacements in their frames. */
     std::array<bool, 4>       cyclic{{false, false, false, false}};
     std::vector<PointSupport> points;
+    /** The supports of the edges of a mesh from a file. */
+    std::vector<EdgeSupport> named_edges;
 
     void
     add_parameters(EntryDeclarations &prm);

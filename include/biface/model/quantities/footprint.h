@@ -29,6 +29,9 @@ namespace Biface
    * So it moves continuously. It is exact at these instants for a membrane
    * under constant pressure, whose nodal pressures act on the parts of the
    * nodes.
+   *
+   * On a mesh without lines a node in contact covers its cells up to halfway to
+   * its neighbors, so that the edge jumps by half a cell with a node.
    */
   struct Footprint
   {

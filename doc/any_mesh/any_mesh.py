@@ -1,0 +1,343 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Write any_mesh.md: how meshes from files are used, and published benchmarks
+on regular and irregular meshes of Gmsh's format, which this script writes."""
+
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Callable
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from example_page import biface, parse_arguments, table
+
+PAGE = """<!-- Written by doc/any_mesh/any_mesh.py: cmake --build build --target any_mesh -->
+
+# Meshes from files
+
+A shell need not be a plane or a surface of revolution: with `Surface/Type = mesh` its surface is a mesh of
+quadrilaterals, flat or warped, of any shape that is convex. [plate_with_hole.prm](../prm/plate_with_hole.prm)
+and [rubber_dome.prm](../prm/rubber_dome.prm) are examples.
+
+    build/biface prm/rubber_dome.prm
+
+```
+subsection Surface
+  set Type = mesh
+  subsection Mesh
+    set File      = part.msh
+    set Direction = 1; 0; 0
+  end
+end
+subsection Supports
+  set Edge supports = rim: fixed, cut: symmetry y
+end
+subsection Loads
+  set Edge forces = flange: 0 0 -2.5
+end
+```
+
+- **File**: MSH 2.2 or 4.1 of Gmsh, in ASCII. `Recombine Surface` makes quadrilaterals; where triangles remain,
+  `Mesh.SubdivisionAlgorithm = 1` divides all cells. Cells of second order count as those of their corners.
+- **Names**: a `Physical Curve` is an edge, for `Edge supports`, `Edge forces` and `Edge moments`, and a
+  `Physical Point` is a named point, for supports, forces, probes and control. Other points are given by their
+  positions, `Named points = tip: 0 0 12.5`; they must be nodes. In Gmsh, anything without a physical group is not
+  saved as soon as there is one, so that the surfaces need a group, too.
+- **Outward** is where the nodes of the cells run counterclockwise. All cells of a connected part take the
+  orientation of the first one. Pressure acts on the inner face and contact on the outer one, unless told
+  otherwise.
+- **Direction** is the direction of alpha_1, from which the angles of plies count: a vector, or a formula of the
+  position, that is projected into the surface. `-y; x; 0` runs around the z axis. Components v_1 and v_2 of
+  supports and `local` loads are along it and across it.
+- **Normals** are the means of the cells around a node. Cells that meet at more than `Fold angle`, 20 degrees, are
+  refused: folds and joints of several shells are not possible. On a coarse mesh of a smooth surface the angle may be larger.
+  Edges with `symmetry x`, `symmetry y` or `symmetry z` keep their normals in the plane of symmetry.
+- **Elements** are those of [Interpolation = Cartesian](theory.md#cells-of-any-shape) with `Strain sampling = means`,
+  whatever these entries say.
+
+The nodes must lie on the surface within a tenth of the thickness: a plate whose nodes are off its plane by 0.3 of its
+thickness is 7 % softer, as a crumpled plate is. The mesh itself is the surface: where cells turn by an angle
+$`\\theta`$, the chords are shorter than the arcs by $`\\theta^2/24`$.
+
+What needs coordinates is refused in one sentence before the first step: rolling and heat, sealed gas and end
+plates, multigrid and coarse meshes, imperfections, plies that end or vary, several layers, rubber and cords that go slack.
+The places of maxima in history.csv, which are coordinates, are nan.
+
+## Published values on regular and irregular meshes
+
+Computed over published. On *random* meshes the nodes are moved by up to a quarter of a cell at random, those of
+edges along them; on *graded* ones opposite edges are divided 1 : 2 : … : n in opposite directions. MITC4 is the usual four-node shell element
+(covariant membrane strains at 2 × 2 points, tied shear) with the same unknowns, on random and graded meshes of its own.
+
+{linear}
+
+- Scordelis-Lo roof under its weight, a quarter, 0.3024; cylinder between diaphragms, pinched, an eighth, with
+  both faces held; hemisphere with a hole of 18 degrees, pinched, a quarter, 0.0935 @cite MacNealHarder1985 .
+- Beam twisted by 90 degrees, thickness 0.32 and 0.0032: 0.005424, 0.001754, 5.256 and 1.294 (for a millionth of the force) in and out
+  of its plane @cite MacNealHarder1985 .
+- Skew plate of 60 degrees, two edges simply supported, L/t = 100, under pressure: 0.7945 (Razzaque).
+
+Large displacements of the hemisphere at P = 400, in one step; the last column is the number of iterations:
+
+{nonlinear}
+
+## A hole in an orthotropic plate
+
+The stress along the fibers at the edge of the hole of [plate_with_hole.prm](../prm/plate_with_hole.prm) over
+the stress far away. In an infinite plate it is $`1+\\sqrt{{2(\\sqrt{{E_L/E_T}}-\\nu_{{LT}})+E_L/G_{{LT}}}}`$
+(Lekhnitskii):
+
+{hole}
+
+The stress falls by half within a fifth of the radius of the hole, so that cells there have to be small: the file is
+[plate_with_hole.geo](../prm/plate_with_hole.geo), with the mesh graded in rings.
+"""
+
+
+@dataclass
+class Mesh:
+    """Nodes, quadrilaterals counterclockwise, lines and points by name."""
+    nodes: np.ndarray
+    cells: list
+    lines: dict
+    points: dict
+
+    def write(self, path):
+        """As MSH 2.2."""
+        names = ([(0, name) for name in self.points] + [(1, name) for name in self.lines]
+                 + [(2, "shell")])
+        numbers = {name: i + 1 for i, name in enumerate(names)}
+        elements = [f"15 2 {numbers[0, name]} 0 {node + 1}"
+                    for name, node in self.points.items()]
+        elements += [f"1 2 {numbers[1, name]} 0 {a + 1} {b + 1}"
+                     for name, sides in self.lines.items() for a, b in sides]
+        elements += [f"3 2 {numbers[2, 'shell']} 0 " + " ".join(str(n + 1) for n in cell)
+                     for cell in self.cells]
+        lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", len(names)]
+        lines += [f'{d} {number} "{name}"' for (d, name), number in numbers.items()]
+        lines += ["$EndPhysicalNames", "$Nodes", len(self.nodes)]
+        lines += [f"{i + 1} {x:.16g} {y:.16g} {z:.16g}"
+                  for i, (x, y, z) in enumerate(self.nodes)]
+        lines += ["$EndNodes", "$Elements", len(elements)]
+        lines += [f"{i + 1} {element}" for i, element in enumerate(elements)]
+        path.write_text("\n".join(str(line) for line in lines) + "\n$EndElements\n")
+
+
+def unit_square(n, m, kind):
+    """The coordinates of the nodes of n x m cells in the unit square."""
+    u, v = np.meshgrid(np.linspace(0, 1, n + 1), np.linspace(0, 1, m + 1))
+    if kind == "random":
+        generator = np.random.default_rng(3)
+        for x, size, axis in ((u, n, 1), (v, m, 0)):
+            shift = generator.uniform(-0.25, 0.25, x.shape) / size
+            shift.swapaxes(0, axis)[[0, -1]] = 0
+            x += shift
+    elif kind == "graded":
+        def divided(size):
+            return np.cumsum(np.arange(size + 1)) * 2 / (size * (size + 1))
+        # intersections of straight lines between opposite edges
+        s, t = np.meshgrid(divided(n), divided(m))
+        ds, dt = np.meshgrid(1 - divided(n)[::-1], 1 - divided(m)[::-1])
+        u = (s + (ds - s) * t) / (1 - (ds - s) * (dt - t))
+        v = t + (dt - t) * u
+    return u, v
+
+
+def mapped(surface, n, m, kind):
+    """The mesh of a surface given over the unit square."""
+    u, v = unit_square(n, m, kind)
+    def node(i, j):
+        return j * (n + 1) + i
+    cells = [(node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1))
+             for j in range(m) for i in range(n)]
+    lines = {"south": [(node(i, 0), node(i + 1, 0)) for i in range(n)],
+             "north": [(node(i, m), node(i + 1, m)) for i in range(n)],
+             "west": [(node(0, j), node(0, j + 1)) for j in range(m)],
+             "east": [(node(n, j), node(n, j + 1)) for j in range(m)]}
+    points = {"A": node(0, 0), "B": node(n, 0), "C": node(n, m), "D": node(0, m),
+              "E": node(n, m // 2), "M": node(n // 2, m // 2)}
+    return Mesh(np.stack(surface(u, v), axis=-1).reshape(-1, 3), cells, lines, points)
+
+
+def hemisphere(u, v):
+    longitude, latitude = np.pi / 2 * u, np.radians(72) * v
+    return (10 * np.cos(latitude) * np.cos(longitude),
+            10 * np.cos(latitude) * np.sin(longitude), 10 * np.sin(latitude))
+
+
+def cylinder(radius, length, angle):
+    return lambda u, v: (length * u, radius * np.sin(np.radians(angle) * v),
+                         radius * np.cos(np.radians(angle) * v))
+
+
+def twisted_beam(u, v):
+    angle, across = np.pi / 2 * u, 1.1 * (v - 0.5)
+    return 12 * u, across * np.cos(angle), across * np.sin(angle)
+
+
+def skew_plate(angle):
+    return lambda u, v: (100 * u + 100 * np.cos(np.radians(angle)) * v,
+                         100 * np.sin(np.radians(angle)) * v, 0 * u)
+
+
+@dataclass
+class Benchmark:
+    """A linear benchmark: the published displacement of a point."""
+    name: str
+    surface: Callable
+    young: float
+    poisson: float
+    thickness: float
+    supports: str
+    loads: dict
+    point: str
+    component: str
+    published: float
+    cells: dict
+    mitc4: dict
+    points: str = ""
+
+
+PINCH = {"Loads/Point forces": "A: 1 0 0, B: 0 -1 0"}
+QUARTERS = "west: symmetry y, east: symmetry x"
+
+BENCHMARKS = [
+    Benchmark("Scordelis-Lo roof", cylinder(25, 25, 40), 4.32e8, 0, 0.25,
+              "west: symmetry x, south: symmetry y, east: y middle; z middle",
+              {"Loads/Area force": "0, 0, -90"}, "D", "u_z", -0.3024,
+              {kind: [(4, 4), (8, 8), (16, 16)] for kind in ("regular", "random", "graded")},
+              {"regular": ".946 .973 .989", "random": ".918 .964 .985",
+               "graded": ".875 .934 .975"}),
+    Benchmark("pinched cylinder", cylinder(300, 300, 90), 3e6, 0.3, 3,
+              "west: symmetry x, south: symmetry y, north: symmetry z, "
+              "east: y both; z both",
+              {"Loads/Point forces": "A: 0 0 -0.25"}, "A", "u_z", -1.82488e-5,
+              {kind: [(8, 8), (16, 16), (32, 32)] for kind in ("regular", "random", "graded")},
+              {"regular": ".746 .929 .989", "random": ".627 .913 .984",
+               "graded": ".570 .866 .967"}),
+    Benchmark("hemisphere", hemisphere, 6.825e7, 0.3, 0.04, QUARTERS, PINCH, "A", "u_x",
+              0.0935,
+              {kind: [(4, 4), (8, 8), (16, 16)] for kind in ("regular", "random", "graded")},
+              {"regular": "1.030 .999 .995", "random": ".280 .666 .961",
+               "graded": ".136 .730 .971"}, points="A: z middle"),
+    Benchmark("twisted beam, in plane", twisted_beam, 29e6, 0.22, 0.32, "west: fixed",
+              {"Loads/Point forces": "E: 0 0 1"}, "E", "u_z", 0.005424,
+              {kind: [(12, 2), (24, 4)] for kind in ("regular", "random")},
+              {"regular": ".988 .995", "random": "– .993"}),
+    Benchmark("twisted beam, out of plane", twisted_beam, 29e6, 0.22, 0.32, "west: fixed",
+              {"Loads/Point forces": "E: 0 1 0"}, "E", "u_y", 0.001754,
+              {kind: [(12, 2), (24, 4)] for kind in ("regular", "random")},
+              {"regular": ".915 .971", "random": "– .959"}),
+    Benchmark("thin twisted beam, in plane", twisted_beam, 29e6, 0.22, 0.0032, "west: fixed",
+              {"Loads/Point forces": "E: 0 0 1e-6"}, "E", "u_z", 0.005256,
+              {kind: [(12, 2), (24, 4)] for kind in ("regular", "random")},
+              {"regular": ".978 .991", "random": "– .502"}),
+    Benchmark("thin twisted beam, out of plane", twisted_beam, 29e6, 0.22, 0.0032,
+              "west: fixed", {"Loads/Point forces": "E: 0 1e-6 0"}, "E", "u_y", 0.001294,
+              {kind: [(12, 2), (24, 4)] for kind in ("regular", "random")},
+              {"regular": ".973 .992", "random": "– .523"}),
+    Benchmark("skew plate", skew_plate(60), 1092, 0.3, 1,
+              "south: z middle, north: z middle",
+              {"Loads/Area force": "0, 0, 1e-4"}, "M", "u_z", 0.7945,
+              {"regular": [(4, 4), (8, 8), (16, 16)]},
+              {"regular": ".847 .956 .986"}, points="M: x middle; y middle, A: x middle"),
+]
+
+BASE = """set Materials        = m
+set Number of stages = 1
+subsection Surface
+  set Type = mesh
+  subsection Mesh
+    set Fold angle = 45
+  end
+end
+subsection Material m
+  set Type = isotropic
+end
+subsection Laminate
+  set Reference surface = middle
+end
+subsection Stage 1
+  set Strain theory = linear
+  set Load factor   = 1
+end
+"""
+
+
+class Runner:
+    def __init__(self, arguments):
+        self.program, self.scratch = arguments.program, arguments.scratch
+        (self.scratch / "base.prm").write_text(BASE)
+
+    def run(self, benchmark, kind, size, entries):
+        name = f"{benchmark.name}_{kind}_{size[0]}".replace(" ", "_").replace(",", "")
+        mesh = self.scratch / f"{name}.msh"
+        mapped(benchmark.surface, *size, kind).write(mesh)
+        return biface.run(
+            self.scratch / "base.prm",
+            {"Surface/Mesh/File": str(mesh.resolve()), "Material m/E": benchmark.young,
+             "Material m/nu": benchmark.poisson,
+             "Laminate/Plies": f"m: {benchmark.thickness} @ 0",
+             "Supports/Edge supports": benchmark.supports,
+             "Supports/Point supports": benchmark.points, "Output/Write VTU": False,
+             **benchmark.loads, **entries},
+            self.scratch / name, program=self.program)
+
+
+def displacement(results, point, component):
+    return results.probes().where(name=point)[component][-1]
+
+
+def linear_table(runner):
+    rows = []
+    for benchmark in BENCHMARKS:
+        for kind, sizes in benchmark.cells.items():
+            ratios = [displacement(runner.run(benchmark, kind, size, {}), benchmark.point,
+                                   benchmark.component) / benchmark.published
+                      for size in sizes]
+            rows.append([benchmark.name if kind == "regular" else "",
+                         kind, ", ".join(f"{n} × {m}" for n, m in sizes),
+                         " ".join(f"{ratio:.3f}" for ratio in ratios),
+                         benchmark.mitc4[kind]])
+    return table(["Case", "Mesh", "Cells", "biface", "MITC4"], rows)
+
+
+def nonlinear_table(runner):
+    pinched = next(b for b in BENCHMARKS if b.name == "hemisphere")
+    rows = []
+    for kind, mitc4 in (("regular", "3.957, 7.762"), ("random", "3.856, 7.400"),
+                        ("graded", "3.593, 6.750")):
+        results = runner.run(pinched, kind, (16, 16),
+                             {"Stage 1/Strain theory": "nonlinear",
+                              "Loads/Point forces": "A: 200 0 0, B: 0 -200 0"})
+        rows.append([f"{kind}, 16 × 16",
+                     f"{displacement(results, 'A', 'u_x'):.3f}, "
+                     f"{-displacement(results, 'B', 'u_y'):.3f}",
+                     "4.067, 8.178", mitc4,
+                     str(int(results.history["iterations"].sum()))])
+    return table(["Mesh", "biface", "Published (Sze)", "MITC4", "Iterations"], rows)
+
+
+def hole_table(arguments):
+    results = biface.run(Path(__file__).resolve().parents[2] / "prm/plate_with_hole.prm",
+                         {"Output/Write VTU": False}, arguments.scratch / "hole",
+                         program=arguments.program)
+    stress = results.plies().where(name="top", fraction=0.5)["s_L"][0]
+    ratio = 138000 / 9000
+    exact = 1 + np.sqrt(2 * (np.sqrt(ratio) - 0.3) + 138000 / 4800)
+    return table(["", "stress over that far away"],
+                 [["biface", f"{stress / 100:.3f}"], ["Lekhnitskii", f"{exact:.3f}"]])
+
+
+def main():
+    arguments = parse_arguments("any_mesh", __doc__)
+    runner = Runner(arguments)
+    (arguments.output / "any_mesh.md").write_text(PAGE.format(
+        linear=linear_table(runner), nonlinear=nonlinear_table(runner),
+        hole=hole_table(arguments)))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_surface_mesh_file_h
+#define biface_surface_mesh_file_h
+
+#include <deal.II/base/tensor.h>
+
+#include <mpi.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <biface/input/formula.h>
+
+namespace Biface
+{
+  class EntryDeclarations;
+  struct QuadrilateralMesh;
+
+  /** The entries of a mesh from a file, and what the file contains. */
+  struct MeshFile
+  {
+    /** The name of the file; empty for none. */
+    std::string name;
+    /** The largest angle at which neighboring cells may meet. Unit: degrees. */
+    double fold_angle = 20;
+    /** The first direction of the material, which is projected into the
+     * surface: three formulas of the position. */
+    std::vector<Formula> direction;
+    /** The mesh; null before it is read. */
+    std::shared_ptr<const QuadrilateralMesh> mesh;
+
+    void
+    add_parameters(EntryDeclarations &prm);
+
+    /** Read the mesh; must be called on all ranks. Throws InputError on all of
+     * them, see parse_gmsh(). */
+    void
+    read(const MPI_Comm communicator);
+
+    /** The direction at a point. Throws InputError if it is not finite. */
+    dealii::Tensor<1, 3>
+    direction_at(const dealii::Point<3> &x) const;
+  };
+} // namespace Biface
+
+#endif

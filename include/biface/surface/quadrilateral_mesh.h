@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_surface_quadrilateral_mesh_h
+#define biface_surface_quadrilateral_mesh_h
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace Biface
+{
+  /**
+   * A mesh of quadrilaterals in space whose parts have names, from a file of
+   * another program: the positions of its nodes, its cells, and its groups.
+   *
+   * All cells of a connected part have the same orientation, that of its first
+   * cell in the file: the outward normal is the one about which the nodes of
+   * the file run counterclockwise.
+   */
+  struct QuadrilateralMesh
+  {
+    /** The positions of the nodes of cells. Unit: length. */
+    std::vector<dealii::Point<3>> nodes;
+
+    /** The unit normals at the nodes, those of the cells around each, weighted
+     * by their angles at the node. */
+    std::vector<dealii::Tensor<1, 3>> normals;
+
+    /** The nodes of the cells in the order of deal.II, lexicographic. */
+    std::vector<std::array<unsigned int, 4>> cells;
+
+    /** The numbers of the nodes and the cells in the file, for messages. */
+    std::vector<std::size_t> node_numbers, cell_numbers;
+
+    /** A side of a cell, its two nodes. */
+    using Side = std::array<unsigned int, 2>;
+
+    /** A part of the mesh with a name. */
+    struct Group
+    {
+      std::string name;
+      /** The cells of a group of surfaces. */
+      std::vector<unsigned int> cells;
+      /** The sides of cells of a group of lines. */
+      std::vector<Side> sides;
+      /** The nodes of a group of points or lines, in ascending order. */
+      std::vector<unsigned int> nodes;
+    };
+
+    std::vector<Group> groups;
+
+    /** The sides that belong to one cell only, with the cell and the number of
+     * the side in it, see dealii::GeometryInfo. */
+    struct FreeSide
+    {
+      unsigned int cell, face;
+    };
+    std::vector<FreeSide> free_sides;
+
+    /** The center of a cell, the mean of its nodes. */
+    dealii::Point<3>
+    center(const unsigned int cell) const;
+
+    /** The position of a group among @p groups. Throws InputError that names
+     * @p entry, @p text and all groups of the same kind if there is none.
+     * @param lines whether the group must have sides; otherwise it must have
+     * nodes. */
+    unsigned int
+    find_group(const std::string &entry,
+               const std::string &text,
+               const std::string &name,
+               const bool         lines) const;
+  };
+
+
+  /**
+   * Read a mesh from the text of a file of Gmsh: MSH 2.2 or 4.1, ASCII.
+   * Quadrilaterals of second order count as those of their corners. Names of
+   * groups are those of physical groups, or their numbers where they have none.
+   *
+   * Throws InputError, naming the file and the line, if the text is anything
+   * else; naming the cell or the node and its position, if there are triangles
+   * or solids, if a cell is concave or degenerate, if more than two cells share
+   * a side, if the surface has one side only, if two nodes are at one place, or
+   * if neighboring cells meet at more than @p fold_angle.
+   *
+   * @param fold_angle in degrees.
+   */
+  QuadrilateralMesh
+  parse_gmsh(const std::string &text,
+             const std::string &file_name,
+             const double       fold_angle);
+} // namespace Biface
+
+#endif

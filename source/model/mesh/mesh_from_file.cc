@@ -1,0 +1,424 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/base/mpi.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include <biface/base/errors.h>
+#include <biface/element/quadrilateral_geometry.h>
+#include <biface/input/parameter_tools.h>
+#include <biface/laminate/layup.h>
+#include <biface/model/mesh/parallel_triangulation.h>
+#include <biface/model/mesh/shell_mesh.h>
+#include <biface/model/mesh/strip.h>
+#include <biface/model/mesh/supports.h>
+#include <biface/surface/mesh_file.h>
+#include <biface/surface/quadrilateral_mesh.h>
+#include <biface/surface/reference_surface.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    std::string
+    place(const Point<3> &x)
+    {
+      return "(" + number_to_string(x[0]) + ", " + number_to_string(x[1]) +
+             ", " + number_to_string(x[2]) + ")";
+    }
+
+
+    std::string
+    cell_in_words(const QuadrilateralMesh &mesh, const unsigned int cell)
+    {
+      return "the cell " + std::to_string(mesh.cell_numbers[cell]) + " at " +
+             place(mesh.center(cell));
+    }
+
+
+    void
+    create_triangulation(const QuadrilateralMesh &mesh,
+                         Triangulation<2, 3>     &triangulation)
+    {
+      std::vector<CellData<2>> cells(mesh.cells.size());
+      for (unsigned int c = 0; c < cells.size(); ++c)
+        std::copy(mesh.cells[c].begin(),
+                  mesh.cells[c].end(),
+                  cells[c].vertices.begin());
+      triangulation.create_triangulation(mesh.nodes, cells, SubCellData());
+    }
+
+
+    /** The unit vectors normal to the planes of symmetry, by the edges that lie
+     * in them. */
+    std::vector<Tensor<1, 3>>
+    normals_in_planes(const QuadrilateralMesh        &mesh,
+                      const std::vector<EdgeSupport> &supports)
+    {
+      std::vector<Tensor<1, 3>> normals = mesh.normals;
+      const std::string         entry   = "Supports/Edge supports";
+      for (const EdgeSupport &support : supports)
+        if (support.symmetry)
+          {
+            const unsigned int d = *support.symmetry;
+            for (const unsigned int node :
+                 mesh
+                   .groups[mesh.find_group(
+                     entry, support.text, support.edge, true)]
+                   .nodes)
+              {
+                Tensor<1, 3> normal = normals[node];
+                normal[d]           = 0;
+                // half a cell turns the normal of a coarse mesh
+                if (!(normal.norm() > 0.7))
+                  throw InputError(
+                    entry,
+                    support.text,
+                    "the shell must be normal to a plane of symmetry, but its "
+                    "normal at " +
+                      place(mesh.nodes[node]) + " is not in the plane");
+                normals[node] = normal / normal.norm();
+              }
+          }
+      return normals;
+    }
+
+
+    /** The frame at a node: the normal, and the projection of the direction
+     * into the surface, or of another one where it has none. */
+    std::array<Tensor<1, 3>, 3>
+    frame_along(const Tensor<1, 3> &normal, const Tensor<1, 3> &direction)
+    {
+      Tensor<1, 3> along = direction - (direction * normal) * normal;
+      if (!(along.norm() > 1e-2 * direction.norm()))
+        {
+          unsigned int least = 0;
+          for (unsigned int d = 1; d < 3; ++d)
+            if (std::abs(normal[d]) < std::abs(normal[least]))
+              least = d;
+          along        = Tensor<1, 3>();
+          along[least] = 1;
+          along -= normal[least] * normal;
+        }
+      along /= along.norm();
+      return {{along, cross_product_3d(normal, along), normal}};
+    }
+
+
+    /** Throw InputError unless plies have a direction in all cells. */
+    void
+    check_directions(const MeshFile &file, const Layup &layup)
+    {
+      const QuadrilateralMesh &mesh = *file.mesh;
+      for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+        {
+          const Tensor<1, 3> direction = file.direction_at(mesh.center(c));
+          Tensor<1, 3>       normal;
+          for (const unsigned int node : mesh.cells[c])
+            normal += mesh.normals[node];
+          normal /= normal.norm();
+          if (!(direction.norm() > 0))
+            throw InputError("the entry 'Surface/Mesh/Direction' is zero in " +
+                             cell_in_words(mesh, c) +
+                             ", but it must be a direction.");
+          if (layup.has_fibers() &&
+              !((direction - (direction * normal) * normal).norm() >
+                1e-2 * direction.norm()))
+            throw InputError(
+              "the entry 'Surface/Mesh/Direction' is normal to the surface in " +
+              cell_in_words(mesh, c) +
+              ", but the angles of plies count from its projection into the "
+              "surface; choose another vector or formulas, such as '-y; x; 0'.");
+        }
+    }
+
+
+    /** Throw InputError if a face is turned inside out in any cell. */
+    void
+    check_faces(const QuadrilateralMesh         &mesh,
+                const std::vector<Tensor<1, 3>> &normals,
+                const std::array<double, 2>     &heights)
+    {
+      for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+        for (const double height : heights)
+          {
+            std::array<Tensor<1, 3>, 4> x;
+            for (unsigned int v = 0; v < 4; ++v)
+              x[v] = mesh.nodes[mesh.cells[c][v]] +
+                     height * normals[mesh.cells[c][v]];
+            for (unsigned int v = 0; v < 4; ++v)
+              if (!(cross_product_3d(x[v | 1] - x[v & 2], x[v | 2] - x[v & 1]) *
+                      normals[mesh.cells[c][v]] >
+                    0))
+                throw InputError(
+                  "the entry 'Laminate/Plies' places a face at " +
+                  number_to_string(height) +
+                  " from the reference surface, but there " +
+                  cell_in_words(mesh, c) +
+                  " is turned inside out: the surface is curved too sharply.");
+          }
+    }
+
+
+    /** A side of the mesh on named lines: the cell to which it belongs, the
+     * first one of two, and the positions of the lines in MeshNodes::edges. */
+    struct NamedSide
+    {
+      unsigned int              cell = numbers::invalid_unsigned_int;
+      std::vector<unsigned int> edges;
+      bool                      inside = false;
+    };
+
+    using Side = QuadrilateralMesh::Side;
+
+    Side
+    sorted(const Side &side)
+    {
+      return {{std::min(side[0], side[1]), std::max(side[0], side[1])}};
+    }
+
+
+    Side
+    side_of(const QuadrilateralMesh &mesh,
+            const unsigned int       cell,
+            const unsigned int       face)
+    {
+      return {
+        {mesh.cells[cell][GeometryInfo<2>::face_to_cell_vertices(face, 0)],
+         mesh.cells[cell][GeometryInfo<2>::face_to_cell_vertices(face, 1)]}};
+    }
+  } // namespace
+
+
+  std::vector<Strip>
+  ShellMesh::strips_without_lines(const Layup &layup)
+  {
+    if (layup.has_slack_cords() || layup.is_hyperelastic() || layup.relaxes())
+      throw InputError(
+        "the section 'Laminate' has plies that are not linear "
+        "(rubber, cords that go slack, or relaxation), which are "
+        "not possible on a mesh from a file.");
+    for (const PlyDescription &ply : layup.get_plies())
+      // a formula or a table of a coordinate would not have one value
+      for (const double alpha_1 : {-0.37, 0.61, 29.})
+        if (ply.thickness(alpha_1) != ply.thickness(0) ||
+            ply.angle(alpha_1) != ply.angle(0) || std::isfinite(ply.begin) ||
+            std::isfinite(ply.end))
+          throw InputError("Laminate/Plies",
+                           ply.text,
+                           "thickness and angle must be constant, and the ply "
+                           "must not end, on a mesh from a file, which has no "
+                           "coordinates");
+    const Laminate laminate = layup.laminate(0);
+    return {{laminate, {{laminate, laminate}}}};
+  }
+
+
+  ShellMesh::ShellMesh(const MPI_Comm                          communicator,
+                       std::unique_ptr<const ReferenceSurface> surface,
+                       const ChartGrid                        &grid,
+                       const MeshFile                         &file,
+                       const Layup                            &layup,
+                       const Supports                         &supports,
+                       const std::vector<NamedPoint>          &points)
+    : MeshNodes(communicator, std::move(surface), grid, points)
+    , sampling(StrainSampling::means)
+    , interpolation(Interpolation::Cartesian)
+    , thickness_strain(ThicknessStrain::vertices)
+  {
+    set_layup(layup);
+    strips        = strips_without_lines(*this->layup);
+    max_thickness = strips[0].laminate.thickness();
+
+    const QuadrilateralMesh &mesh = *file.mesh;
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    triangulation              = make_parallel_triangulation(
+      communicator,
+      grid.distribution,
+      [&mesh](Triangulation<2, 3> &whole) {
+        create_triangulation(mesh, whole);
+      },
+      [n_ranks](Triangulation<2, 3> &whole) {
+        if (n_ranks > 1)
+          GridTools::partition_triangulation(
+            n_ranks, whole, SparsityTools::Partitioner::metis);
+      },
+      nullptr);
+    distribute_dofs();
+    collect_from_file(file, supports);
+    complete(supports, mesh.nodes);
+  }
+
+
+  void
+  ShellMesh::collect_from_file(const MeshFile &file, const Supports &supports)
+  {
+    const QuadrilateralMesh        &mesh = *file.mesh;
+    const std::vector<Tensor<1, 3>> normals =
+      normals_in_planes(mesh, supports.named_edges);
+    const std::array<double, 2> heights = strips[0].laminate.face_heights();
+    check_directions(file, *layup);
+    check_faces(mesh, normals, heights);
+
+    // groups of lines, and the cells of their sides
+    std::map<Side, NamedSide> named_sides;
+    std::vector<unsigned int> group_of_edge;
+    for (unsigned int g = 0; g < mesh.groups.size(); ++g)
+      if (!mesh.groups[g].sides.empty())
+        {
+          for (const Side &side : mesh.groups[g].sides)
+            named_sides[side].edges.push_back(edges.size());
+          edges.push_back({mesh.groups[g].name, {}});
+          group_of_edge.push_back(g);
+        }
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      for (unsigned int f = 0; f < 4; ++f)
+        {
+          const auto named = named_sides.find(sorted(side_of(mesh, c, f)));
+          if (named == named_sides.end())
+            continue;
+          if (named->second.cell == numbers::invalid_unsigned_int)
+            named->second.cell = c;
+          else
+            named->second.inside = true;
+        }
+
+    const auto make_node = [&](const unsigned int number) {
+      constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+      Node             node;
+      node.grid_index       = {{0, 0}};
+      node.number           = number;
+      node.alpha            = Point<2>(nan, nan);
+      node.surface.position = mesh.nodes[number];
+      node.surface.frame =
+        frame_along(normals[number], file.direction_at(mesh.nodes[number]));
+      node.surface.lame      = {{1, 1}};
+      node.surface.curvature = {{0, 0}};
+      node.surface.geodesic  = {{0, 0}};
+      node.face_heights      = heights;
+      node.half_thickness    = {(heights[1] - heights[0]) / 2};
+      node.locally_owned     = false;
+      node.face_is_free      = {{true, true}};
+      return node;
+    };
+
+    std::map<unsigned int, unsigned int> node_of_number;
+    std::vector<std::set<unsigned int>>  adjacent;
+    for (const auto &cell : dof_handler->active_cell_iterators())
+      {
+        if (cell->is_artificial())
+          continue;
+        const unsigned int          number = cell->id().get_coarse_cell_id();
+        std::array<unsigned int, 4> cell_nodes;
+        for (unsigned int v = 0; v < 4; ++v)
+          {
+            const unsigned int of_file = mesh.cells[number][v];
+            const auto entry = node_of_number.emplace(of_file, nodes.size());
+            cell_nodes[v]    = entry.first->second;
+            if (!entry.second)
+              continue;
+            Node node = make_node(of_file);
+            Assert(node.surface.position.distance(cell->vertex(v)) <
+                     1e-8 * cell->diameter(),
+                   ExcMessage("Coarse cells must be numbered as in the file."));
+            for (unsigned int i = 0; i < n_dofs_per_node(); ++i)
+              node.dofs.push_back(cell->vertex_dof_index(v, i));
+            node.locally_owned = locally_owned.is_element(node.dofs[0]);
+            nodes.push_back(node);
+          }
+        adjacent.resize(nodes.size());
+        for (const unsigned int i : cell_nodes)
+          adjacent[i].insert(cell_nodes.begin(), cell_nodes.end());
+
+        // cells of other ranks give nodes around, no elements
+        if (!cell->is_locally_owned())
+          continue;
+
+        for (unsigned int f = 0; f < 4; ++f)
+          {
+            const auto named =
+              named_sides.find(sorted(side_of(mesh, number, f)));
+            if (named == named_sides.end() || named->second.cell != number)
+              continue;
+            const std::array<unsigned int, 2> ends{
+              {GeometryInfo<2>::face_to_cell_vertices(f, 0),
+               GeometryInfo<2>::face_to_cell_vertices(f, 1)}};
+            BoundarySegment segment{
+              0,
+              static_cast<unsigned int>(cells.size()),
+              ends,
+              {{cell_nodes[ends[0]], cell_nodes[ends[1]]}},
+              0,
+              {},
+              {{0, 0}}};
+            const Tensor<1, 3> along =
+              nodes[segment.nodes[1]].surface.position -
+              nodes[segment.nodes[0]].surface.position;
+            segment.length = along.norm();
+            // sides 1 and 2 run counterclockwise; on a line inside the shell a
+            // moment has no direction
+            if (!named->second.inside)
+              for (unsigned int k = 0; k < 2; ++k)
+                {
+                  Tensor<1, 3> axis =
+                    nodes[segment.nodes[k]].surface.to_frame(along);
+                  axis[2] = 0;
+                  segment.axes[k] =
+                    (f == 1 || f == 2 ? 1 : -1) / axis.norm() * axis;
+                }
+            for (const unsigned int edge : named->second.edges)
+              {
+                segment.edge = edge;
+                boundary.push_back(segment);
+              }
+          }
+
+        Cell local;
+        local.nodes    = cell_nodes;
+        local.position = cells.size();
+        local.strip    = 0;
+        local.column   = number;
+        local.is_wall  = true;
+        local.is_layer = true;
+        local.layer    = 0;
+        local.number   = number;
+        for (unsigned int v = 0; v < 4; ++v)
+          for (unsigned int i = 0; i < n_dofs_per_node(); ++i)
+            local.dofs.push_back(cell->vertex_dof_index(v, i));
+        QuadrilateralPoints points;
+        for (unsigned int v = 0; v < 4; ++v)
+          {
+            points.vertices[v] = nodes[cell_nodes[v]].surface;
+            points.heights[v]  = heights;
+          }
+        Tensor<1, 3> normal;
+        for (const SurfacePoint &vertex : points.vertices)
+          normal += vertex.frame[2];
+        points.direction = frame_along(
+          normal / normal.norm(), file.direction_at(mesh.center(number)))[0];
+        local.geometry =
+          quadrilateral_geometry(points, sampling, thickness_strain);
+        cells.push_back(local);
+      }
+
+    for (const auto &set : adjacent)
+      neighbors.emplace_back(set.begin(), set.end());
+    for (unsigned int i = 0; i < edges.size(); ++i)
+      for (const unsigned int number : mesh.groups[group_of_edge[i]].nodes)
+        {
+          const auto node = node_of_number.find(number);
+          if (node != node_of_number.end())
+            edges[i].nodes.push_back(node->second);
+        }
+  }
+} // namespace Biface

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <string>
+
+#include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
+#include <biface/problem/parameters.h>
+#include <biface/surface/quadrilateral_mesh.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  void
+  Parameters::read_mesh(const MPI_Comm communicator)
+  {
+    if (surface.type != ReferenceSurface::Parameters::Type::mesh)
+      return;
+    if (surface.mesh.name.empty())
+      throw InputError(
+        "Surface/Mesh/File", "", "a surface of type 'mesh' needs a file");
+    if (!(surface.mesh.fold_angle > 0 && surface.mesh.fold_angle <= 60))
+      throw InputError("Surface/Mesh/Fold angle",
+                       number_to_string(surface.mesh.fold_angle),
+                       "it must be positive and at most 60");
+    surface.mesh.read(communicator);
+    // without coordinates, none of them is closed
+    mesh.closed = false;
+
+    for (const QuadrilateralMesh::Group &group : surface.mesh.mesh->groups)
+      if (group.nodes.size() == 1 && group.sides.empty() &&
+          std::none_of(
+            points.list.begin(),
+            points.list.end(),
+            [&](const NamedPoint &point) { return point.name == group.name; }))
+        {
+          NamedPoint point;
+          point.name     = group.name;
+          point.position = surface.mesh.mesh->nodes[group.nodes[0]];
+          points.list.push_back(point);
+        }
+  }
+
+
+  void
+  Parameters::check_mesh_from_file() const
+  {
+    const std::string why = " on a mesh from a file, which has no coordinates";
+
+    for (unsigned int edge = 0; edge < supports.edges.size(); ++edge)
+      if (!supports.edges[edge].empty() || supports.cyclic[edge])
+        throw InputError("the entry 'Supports/" + edge_names[edge] +
+                         "' must be 'free'" + why +
+                         "; use 'Edge supports' with the groups of lines.");
+    if (mesh.n_coarse > 0)
+      throw InputError("Mesh/Coarse meshes",
+                       std::to_string(mesh.n_coarse),
+                       "it must be 0" + why);
+    if (linear_solver.is_iterative())
+      throw InputError("the section 'Linear solver' chooses a multigrid, which "
+                       "needs lines, but" +
+                       why.substr(3) + "; use the direct solver.");
+    if (!surface.imperfection.is_zero())
+      throw InputError("Surface/Imperfection/Formula",
+                       surface.imperfection.formula,
+                       "imperfections are not possible" + why);
+    if (laminate.n_layers() > 1)
+      throw InputError("Laminate/Layers",
+                       std::to_string(laminate.n_layers()),
+                       "there must be one layer" + why);
+    if (element.thickness_strain != ThicknessStrain::by_layers &&
+        element.thickness_strain != ThicknessStrain::vertices)
+      throw InputError(
+        "the entry 'Element/Thickness strain' must be 'vertices'" + why + ".");
+    if (laminate.integrals == ThicknessIntegrals::shell)
+      throw InputError("Laminate/Integrals",
+                       "shell",
+                       "it must be 'plate'" + why + " or curvatures");
+    if (!laminate.initial_resultants.empty())
+      throw InputError("the entry 'Laminate/Initial resultants' must be empty" +
+                       why + ".");
+    for (const EdgeForce &force : loads.edge_forces)
+      if (force.true_length)
+        throw InputError("Loads/Edge forces",
+                         force.text,
+                         "'true length' is not possible" + why);
+    if (!pressure.end_plates.empty())
+      throw InputError("the entry 'Loads/End plates' must be empty" + why +
+                       ".");
+    if (gas.ambient_pressure)
+      throw InputError("the section 'Gas' must not seal the shell" + why +
+                       " to close a cavity along.");
+  }
+} // namespace Biface

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <cmath>
+#include <limits>
+
+#include <biface/base/errors.h>
+#include <biface/input/entry_declarations.h>
+#include <biface/input/parameter_tools.h>
+#include <biface/input/read_file.h>
+#include <biface/surface/mesh_file.h>
+#include <biface/surface/quadrilateral_mesh.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  void
+  MeshFile::add_parameters(EntryDeclarations &prm)
+  {
+    add_parsed(prm,
+               "File",
+               "",
+               name,
+               parse_file_name,
+               "The file of the mesh of a surface of type 'mesh': a mesh of "
+               "quadrilaterals of Gmsh, MSH 2.2 or 4.1, ASCII. Outward is "
+               "where the nodes of its cells run counterclockwise. Its "
+               "physical groups of lines are edges, and those of points are "
+               "named points, for 'Edge supports', 'Edge forces', 'Edge "
+               "moments', 'Point supports' and so on. Relative to the "
+               "parameter file; see 'Tables' for names in double quotes.",
+               Unit("length") | RestartChange::always);
+    add_parsed(
+      prm,
+      "Direction",
+      "1; 0; 0",
+      direction,
+      [](const std::string &entry, const std::string &text) {
+        std::vector<Formula> formulas;
+        for (const std::string &item : split_list(entry, text, ';'))
+          formulas.push_back(parse_position_formula(entry, item));
+        if (formulas.size() != 3)
+          throw InputError(entry,
+                           text,
+                           "it must consist of three numbers or "
+                           "formulas of x, y, z, separated by "
+                           "semicolons");
+        return formulas;
+      },
+      "The direction of alpha_1 on a surface of type 'mesh', from "
+      "which the angles of plies count, toward outward normal x "
+      "direction: the x, y and z components, numbers or formulas of "
+      "the position x, y, z, of a vector that is projected into the "
+      "surface; '-y; x; 0' runs around the z axis. v_1 of supports "
+      "and loads is along it.");
+    prm.add_parameter("Fold angle",
+                      fold_angle,
+                      "The largest angle at which neighboring cells of a mesh "
+                      "may meet: the surface is taken as smooth. Positive, at "
+                      "most 60; a smooth surface whose cells turn by more than "
+                      "20 degrees each is a coarse one.",
+                      Patterns::Double(),
+                      Unit("degrees"));
+  }
+
+
+  void
+  MeshFile::read(const MPI_Comm communicator)
+  {
+    mesh = std::make_shared<const QuadrilateralMesh>(
+      parse_gmsh(read_file(name, communicator), name, fold_angle));
+  }
+
+
+  Tensor<1, 3>
+  MeshFile::direction_at(const Point<3> &x) const
+  {
+    constexpr double          nan = std::numeric_limits<double>::quiet_NaN();
+    const std::vector<double> variables{x[0], x[1], x[2], nan, nan};
+    Tensor<1, 3>              result;
+    for (unsigned int d = 0; d < 3; ++d)
+      result[d] = direction[d](variables);
+    return result;
+  }
+} // namespace Biface
