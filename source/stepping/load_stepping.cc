@@ -337,6 +337,21 @@ namespace Biface
           newton, run, trial, predict(run, trial, true), iteration);
         attempt.result.iterations += spent;
       }
+    // where the ground has moved by more than the elastic slip, all nodes
+    // would slip at first, however short the step, and nothing would hold a
+    // shell that is soft sideways. Before the substituted iteration, which then
+    // goes far away, and may find another equilibrium there
+    if (attempt.result.failed() && !run.rolls && run.stage.contact &&
+        run.laws.has_friction() &&
+        attempt.result.failure.cause != FailureCause::out_of_memory)
+      {
+        out << "  not converged: " << attempt.result.failure.message
+            << "; trying with nodes that stick at first" << std::endl;
+        const unsigned int spent = attempt.result.iterations;
+        attempt                  = attempt_step(
+          newton, run, trial, {run.state, trial.mu, true}, iteration);
+        attempt.result.iterations += spent;
+      }
     // another iteration has the same matrix
     if (attempt.result.failed() && iteration == NewtonIteration::mixed &&
         attempt.result.failure.cause != FailureCause::out_of_memory)
@@ -350,20 +365,6 @@ namespace Biface
                                trial,
                                predict(run, trial, false),
                                NewtonIteration::substituted);
-        attempt.result.iterations += spent;
-      }
-    // where the ground has moved by more than the elastic slip, all nodes
-    // would slip at first, however short the step, and nothing would hold a
-    // shell that is soft sideways
-    if (attempt.result.failed() && !run.rolls && run.stage.contact &&
-        run.laws.has_friction() &&
-        attempt.result.failure.cause != FailureCause::out_of_memory)
-      {
-        out << "  not converged: " << attempt.result.failure.message
-            << "; trying with nodes that stick at first" << std::endl;
-        const unsigned int spent = attempt.result.iterations;
-        attempt                  = attempt_step(
-          newton, run, trial, {run.state, trial.mu, true}, iteration);
         attempt.result.iterations += spent;
       }
     if (attempt.result.failed())
