@@ -18,15 +18,18 @@ namespace Biface
 
   namespace
   {
-    /** Whether a support of an edge of alpha_1 of a surface of revolution holds
-     * its radius. */
+    /** Whether a support of an edge of alpha_1 of a surface of revolution keeps
+     * the radius of a face there. */
     bool
-    holds_radius(const std::vector<SupportCondition> &support)
+    holds_radius(const std::vector<SupportCondition> &support,
+                 const Resultants::Face               face)
     {
       std::set<Component> held;
       for (const SupportCondition &condition : support)
-        // not the difference of the faces
-        if (condition.coefficients[0] + condition.coefficients[1] > 0.5)
+        // not the mean or the difference of the faces
+        if (condition.coefficients[face] != 0 &&
+            condition.coefficients[1 - face] == 0 && condition.value == 0 &&
+            !condition.formula)
           held.insert(condition.component);
       const auto holds = [&](const std::vector<Component> &components) {
         return std::all_of(
@@ -62,9 +65,11 @@ namespace Biface
           refuse("it needs 'Pressure distribution = 1'");
         // the area of a plate is that of the undeformed edge, section 5
         for (const Edge edge : pressure.end_plates)
-          if (!holds_radius(supports.edges[static_cast<unsigned int>(edge)]))
+          if (!holds_radius(supports.edges[static_cast<unsigned int>(edge)],
+                            pressure.face))
             refuse("the plate needs a support of its edge in the section "
-                   "'Supports' that holds the radius, such as 'radial both'");
+                   "'Supports' that keeps the radius of the face under "
+                   "pressure, such as 'radial both'");
         if (gas.ambient_pressure && gas.cavity.rim_radius.value_or(0) != 0)
           refuse("the cavity reaches to the axis: 'Gas/Rim radius' must be 0 "
                  "or 'edges'");

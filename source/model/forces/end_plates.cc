@@ -62,11 +62,15 @@ namespace Biface
             const Node        &node = mesh.nodes[n];
             const Tensor<1, 3> force =
               half_of_plane(mesh, pressure.face, segment, node);
+            // at the edge of the face, which ends the cavity, so that the work
+            // is that of the gas
+            const unsigned int face_of_wall = pressure.face * node.n_layers();
             for (unsigned int i = 0; i < 3; ++i)
               {
-                std::vector<double> values{force[i]};
-                for (const double part : node.thickness_weights())
-                  values.push_back(part * force[i]);
+                std::vector<double> values;
+                for (unsigned int part = 0; part < node.n_parts(); ++part)
+                  values.push_back(Node::sign_of_part(face_of_wall, part) *
+                                   force[i]);
                 const auto *first = &node.dofs[node.position(i, 0)];
                 at_unit_pressure.add(std::vector<types::global_dof_index>(
                                        first, first + node.n_parts()),
