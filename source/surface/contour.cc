@@ -23,11 +23,14 @@ namespace Biface
     constexpr double largest_group = 0.1;
     constexpr double round_off     = 1e-6;
 
-    // directions that a smooth curve may have beside those of its neighbors
+    // directions that a smooth curve may have beside those of its neighbors in a
+    // group of the largest length
     const double small_angle = 2 * numbers::PI / 180;
 
     const double     least_kink     = 15 * numbers::PI / 180;
     constexpr double kink_to_others = 4;
+    // where no neighbor tells: twelve points are enough for a circle
+    const double sure_kink = 30 * numbers::PI / 180;
 
 
     /** The angle by which a direction turns to another one, positive to the
@@ -51,11 +54,14 @@ namespace Biface
 
 
     /** Whether a smooth curve passes through the points from @p first to
-     * @p last: their directions are between those before and after them. */
+     * @p last: their directions are between those before and after them.
+     * @param length of the group as a part of the largest one; in a short one
+     * little noise turns them far. */
     bool
     is_smooth(const Points      &points,
               const unsigned int first,
-              const unsigned int last)
+              const unsigned int last,
+              const double       length)
     {
       const bool         has_before = (first > 0);
       const bool         has_after  = (last + 1 < points.size());
@@ -80,7 +86,8 @@ namespace Biface
         {
           const double direction =
             angle_between(before, points[i + 1] - points[i]);
-          if (direction < low - small_angle || direction > high + small_angle)
+          if (direction < low - length * small_angle ||
+              direction > high + length * small_angle)
             return false;
         }
       return true;
@@ -110,7 +117,8 @@ namespace Biface
           break;
         if (length <= round_off * neighbor ||
             (length <= largest_group * neighbor &&
-             !is_smooth(all, first, last)))
+             !is_smooth(
+               all, first, last, length / (largest_group * neighbor))))
           result = last;
       }
     return result;
@@ -162,12 +170,19 @@ namespace Biface
                                    (points[i].distance(points[i - 1]) +
                                     points[i].distance(points[i + 1])));
       }
-    // with three points nothing tells a kink from a curve
-    for (unsigned int i = 1; points.size() > 3 && i + 1 < points.size(); ++i)
-      if (turns[i] > least_kink &&
-          curvatures[i] >
-            kink_to_others * std::max(curvatures[i - 1], curvatures[i + 1]))
-        kinks.push_back({i, turns[i]});
+    for (unsigned int i = 1; i + 1 < points.size(); ++i)
+      {
+        if (!(turns[i] > least_kink))
+          continue;
+        // beside neighbors that are no kinks themselves
+        double others = -1;
+        for (const unsigned int j : {i - 1, i + 1})
+          if (j > 0 && j + 1 < points.size() && turns[j] <= least_kink)
+            others = std::max(others, curvatures[j]);
+        if (others < 0 ? turns[i] > sure_kink
+                       : curvatures[i] > kink_to_others * others)
+          kinks.push_back({i, turns[i]});
+      }
   }
 
 

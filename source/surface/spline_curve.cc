@@ -165,6 +165,10 @@ namespace Biface
           first = kink.index;
         }
     parts.push_back(make_part(contour.points, first, knots.size() - 1));
+    if (corner_radius > 0 && contour.kinks.empty())
+      remarks.push_back(name +
+                        ": the curve has no kinks, and 'Corner radius' in "
+                        "'Surface/Spline' has no effect.");
     if (corner_radius > 0)
       round_corners(contour, name, corner_radius);
     else

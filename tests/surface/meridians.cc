@@ -151,6 +151,56 @@ namespace
 
 
   void
+  noisy_pair()
+  {
+    // 5 mm apart, and a pair 0.02 mm apart that is off the line by a micrometer
+    std::vector<Point<2>> points;
+    for (unsigned int i = 0; i <= 10; ++i)
+      points.emplace_back(100, 5 * i);
+    std::vector<Point<2>> noisy = points;
+    noisy.insert(noisy.begin() + 5, Point<2>(100.001, 19.98));
+    noisy[4][0] = 100;
+    const SplineCurve curve(noisy, "noisy");
+    check_small("distance by a noisy pair",
+                distance(curve, SplineCurve(points, "line")),
+                2e-3,
+                1);
+    check_true("a remark on it", curve.get_remarks().size() == 1);
+  }
+
+
+  void
+  neighboring_kinks()
+  {
+    // a cylinder, a cone and a cylinder by their corners alone
+    const std::vector<Point<2>> points{
+      {100, 0}, {100, 40}, {80, 60}, {80, 100}};
+    const SplineCurve curve(points, "corners", 5);
+    double            off = 0;
+    for (unsigned int i = 0; i <= 1000; ++i)
+      {
+        const Point<2> x =
+          curve.evaluate(0.001 * i * curve.range().second).position;
+        const double from_cone = std::abs(x[0] + x[1] - 140) / std::sqrt(2.);
+        off                    = std::max(
+          off,
+          std::min({std::abs(x[0] - 100), std::abs(x[0] - 80), from_cone}));
+      }
+    check_true("both corners are rounded", off > 0.1 && off < 0.45);
+    // a regular polygon of 18 corners is a coarse circle, and has none
+    std::vector<Point<2>> circle;
+    for (unsigned int i = 0; i <= 12; ++i)
+      {
+        const double psi = (-120 + 20. * i) * numbers::PI / 180;
+        circle.emplace_back(200 + 50 * std::cos(psi), 50 * std::sin(psi));
+      }
+    const SplineCurve smooth(circle, "circle", 5);
+    check_true("a Corner radius without kinks is named",
+               smooth.get_remarks().size() == 1);
+  }
+
+
+  void
   corners()
   {
     // a cylinder and a cone of 45 degrees
@@ -228,4 +278,6 @@ main()
 
   almost_repeated_points();
   corners();
+  noisy_pair();
+  neighboring_kinks();
 }
