@@ -112,6 +112,11 @@ namespace Biface
                            quoted(line.content) +
                            ", which is not a part of it; delete the "
                            "backslash.");
+        const std::string left = Utilities::trim(line.content);
+        if (!left.empty() && left.back() == '\\')
+          throw InputError(parameter_place(source, result.size()) +
+                           "the line ends with two backslashes, of which one "
+                           "would join it with the next line; delete one.");
         joined += line.content;
         before = (line.goes_on ? result.size() : 0);
         if (!line.goes_on)
