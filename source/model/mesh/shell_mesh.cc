@@ -533,6 +533,40 @@ namespace Biface
     constraints.distribute(V);
     imperfection = ghosted_vector();
     imperfection = V;
+    check_slope_of_imperfection();
+  }
+
+
+  void
+  ShellMesh::check_slope_of_imperfection() const
+  {
+    // lengths along the shell are wrong by half its square
+    constexpr double limit = 0.3;
+
+    double steepest = 0;
+    for (const Cell &cell : wall_elements())
+      for (unsigned int v = 0; v < 4; ++v)
+        for (const unsigned int w : {v ^ 1, v ^ 2})
+          {
+            const Node &one = nodes[cell.nodes[v]], &two = nodes[cell.nodes[w]];
+            const auto  height = [&](const Node &node) {
+              return displacement(imperfection, node, Resultants::inner)[2] /
+                       2 +
+                     displacement(imperfection, node, Resultants::outer)[2] / 2;
+            };
+            steepest =
+              std::max(steepest,
+                       std::abs(height(two) - height(one)) /
+                         two.surface.position.distance(one.surface.position));
+          }
+    steepest = Utilities::MPI::max(steepest, communicator);
+    if (!(steepest <= limit))
+      throw InputError("the entries of 'Surface/Imperfection' deviate from the "
+                       "surface with a slope of " +
+                       number_to_string(std::round(1000 * steepest) / 1000) +
+                       " between nodes, but it must be at most " +
+                       number_to_string(limit) +
+                       ", since lengths are taken along the surface.");
   }
 
 

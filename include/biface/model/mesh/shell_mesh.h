@@ -181,7 +181,8 @@ namespace Biface
               const std::vector<NamedPoint>          &points);
 
     /** Let the stress-free shell deviate from the surface, but where supports
-     * hold it. Throws InputError, see Imperfection. */
+     * hold it. Throws InputError, see Imperfection, and if the deviation is
+     * steeper than 0.3 between two nodes. */
     void
     add_imperfection(const Imperfection &imperfection);
 
@@ -442,6 +443,10 @@ namespace Biface
     /** Create cells, nodes and edges from a file. */
     void
     collect_from_file(const MeshFile &file, const Supports &supports);
+
+    /** Throw InputError if the imperfection is steep. */
+    void
+    check_slope_of_imperfection() const;
 
     /** Take the plies, and say how they follow the strain of the thickness. */
     void
