@@ -23,8 +23,8 @@ namespace Biface
     constexpr double largest_group = 0.1;
     constexpr double round_off     = 1e-6;
 
-    // directions that a smooth curve may have beside those of its neighbors in a
-    // group of the largest length
+    // directions that a smooth curve may have beside those of its neighbors in
+    // a group of the largest length
     const double small_angle = 2 * numbers::PI / 180;
 
     const double     least_kink     = 15 * numbers::PI / 180;
@@ -117,8 +117,7 @@ namespace Biface
           break;
         if (length <= round_off * neighbor ||
             (length <= largest_group * neighbor &&
-             !is_smooth(
-               all, first, last, length / (largest_group * neighbor))))
+             !is_smooth(all, first, last, length / (largest_group * neighbor))))
           result = last;
       }
     return result;

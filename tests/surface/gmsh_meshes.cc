@@ -36,11 +36,11 @@ namespace
   print(const std::string &name, const QuadrilateralMesh &mesh)
   {
     std::cout << name << ": " << mesh.nodes.size() << " nodes, "
-            << mesh.cells.size() << " cells, " << mesh.free_sides.size()
-            << " free sides, normal " << mesh.normals[0] << ", groups";
+              << mesh.cells.size() << " cells, " << mesh.free_sides.size()
+              << " free sides, normal " << mesh.normals[0] << ", groups";
     for (const auto &group : mesh.groups)
       std::cout << " '" << group.name << "' " << group.cells.size() << ' '
-              << group.sides.size() << ' ' << group.nodes.size();
+                << group.sides.size() << ' ' << group.nodes.size();
     std::cout << std::endl;
   }
 
@@ -117,7 +117,7 @@ main()
       largest,
       (sphere.normals[i] - sphere.nodes[i] / sphere.nodes[i].norm()).norm());
   std::cout << "sphere: " << sphere.cells.size() << " cells, normals "
-          << (largest < 0.1 ? "radial" : "not radial") << std::endl;
+            << (largest < 0.1 ? "radial" : "not radial") << std::endl;
 
   const Point<3> a(0, 0, 0), b(1, 0, 0), c(1, 1, 0), d(0, 1, 0);
   refuse("");

@@ -257,7 +257,8 @@ namespace Biface
    * which the strains that vary are components, see Quadrilateral. */
   struct CellTangents
   {
-    /** The tangents of the faces, `faces[face][a]`, and of the middle surface. */
+    /** The tangents of the faces, `faces[face][a]`, and of the middle surface.
+     */
     std::array<std::array<dealii::Tensor<1, 2>, 2>, 2> faces;
     std::array<dealii::Tensor<1, 2>, 2>                middle;
 
