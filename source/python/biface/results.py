@@ -23,7 +23,8 @@ from .vtu import read_vtu
 HISTORY_COLUMNS = ("step", "stage", "approach", "force", "contact_nodes",
                    "contact_area", "max_pressure", "iterations", "seconds",
                    "pressure", "load_factor")
-CONTACT_COLUMNS = ("alpha_1", "alpha_2", "x", "y", "z", "clearance", "pressure",
+# a mesh from a file has no coordinates
+CONTACT_COLUMNS = ("x", "y", "z", "clearance", "pressure",
                    "active")
 PROFILE_COLUMNS = ("alpha_1", "alpha_2", "outer_x", "outer_y", "outer_z",
                    "inner_x", "inner_y", "inner_z", "pressure")

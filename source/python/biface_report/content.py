@@ -50,7 +50,10 @@ def report(run):
 
 
 def find_footprint(run):
-    """The footprint of the step, or None without contact or without its file."""
+    """The footprint of the step, or None without contact, without its file, or on
+    a mesh without coordinate lines, between which its cells are found."""
+    if run.setting("Surface/Type") == "mesh":
+        return None
     contact = run.contact() if run.is_contact else None
     if contact is None:
         return None
