@@ -39,12 +39,14 @@ subsection Loads
 end
 ```
 
-- **File**: MSH 2.2 or 4.1 of Gmsh, in ASCII. `Recombine Surface` makes quadrilaterals; where triangles remain,
+- **File**: MSH 2.2 or 4.1 of Gmsh, in ASCII, or an input file of Abaqus or CalculiX with shells (S4R, S8R, ...).
+  In Gmsh, `Recombine Surface` makes quadrilaterals; where triangles remain,
   `Mesh.SubdivisionAlgorithm = 1` divides all cells. Cells of second order count as those of their corners.
 - **Names**: a `Physical Curve` is an edge, for `Edge supports`, `Edge forces` and `Edge moments`, and a
   `Physical Point` is a named point, for supports, forces, probes and control. Other points are given by their
   positions, `Named points = tip: 0 0 12.5`; they must be nodes. In Gmsh, anything without a physical group is not
-  saved as soon as there is one, so that the surfaces need a group, too.
+  saved as soon as there is one, so that the surfaces need a group, too. In an input file a `*NSET` of several nodes is an
+  edge, along the free sides between them, and one of a single node is a point; their names are in capitals.
 - **Outward** is where the nodes of the cells run counterclockwise. All cells of a connected part take the
   orientation of the first one. Pressure acts on the inner face and contact on the outer one, unless told
   otherwise.

@@ -64,6 +64,27 @@ namespace Biface
   } // namespace
 
 
+  namespace
+  {
+    /** The area between the sides at a vertex, of a face or of the mean of two
+     * faces. */
+    double
+    area_at(const QuadrilateralPoints         &points,
+            const unsigned int                 q,
+            const std::array<unsigned int, 2> &faces)
+    {
+      const auto position = [&](const unsigned int vertex) {
+        return (face_position(points, vertex, faces[0]) +
+                face_position(points, vertex, faces[1])) /
+               2;
+      };
+      return cross_product_3d(position(q ^ 1) - position(q),
+                              position(q ^ 2) - position(q))
+        .norm();
+    }
+  } // namespace
+
+
   std::shared_ptr<const Quadrilateral>
   make_quadrilateral(const QuadrilateralPoints &points,
                      const StrainSampling       sampling,
@@ -136,23 +157,11 @@ namespace Biface
         vertex.slope      = {};
         vertex.face_slope = {};
         vertex.metric     = ThicknessMetric({{0, 0}}, points.heights[q]);
-        for (unsigned int a = 0; a < 2; ++a)
-          {
-            // lengths of faces by that of the surface, along the side
-            const unsigned int p = q ^ (1 << a);
-            const double       on_surface =
-              (points.vertices[q].position - points.vertices[p].position)
-                .norm();
-            vertex.metric.zeta_bar[a] = 0;
-            for (unsigned int face = 0; face < 2; ++face)
-              {
-                vertex.metric.zeta[face][a] = (face_position(points, q, face) -
-                                               face_position(points, p, face))
-                                                .norm() /
-                                              on_surface;
-                vertex.metric.zeta_bar[a] += vertex.metric.zeta[face][a] / 2;
-              }
-          }
+        // only the ratio of areas counts
+        vertex.metric.zeta_bar = {{1, 1}};
+        for (unsigned int face = 0; face < 2; ++face)
+          vertex.metric.zeta[face].fill(std::sqrt(
+            area_at(points, q, {{face, face}}) / area_at(points, q, {{0, 1}})));
       }
     return geometry;
   }

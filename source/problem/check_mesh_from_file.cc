@@ -29,12 +29,15 @@ namespace Biface
     mesh.closed = false;
 
     for (const QuadrilateralMesh::Group &group : surface.mesh.mesh->groups)
+      // a name with separators of lists could not be used
       if (group.nodes.size() == 1 && group.sides.empty() &&
-          std::none_of(
-            points.list.begin(),
-            points.list.end(),
-            [&](const NamedPoint &point) { return point.name == group.name; }))
+          group.name.find_first_of(",;:\"\n\t") == std::string::npos)
         {
+          for (const NamedPoint &point : points.list)
+            if (point.name == group.name)
+              throw InputError("Named points",
+                               point.name,
+                               "the mesh has a point of this name");
           NamedPoint point;
           point.name     = group.name;
           point.position = surface.mesh.mesh->nodes[group.nodes[0]];
@@ -58,9 +61,9 @@ namespace Biface
                        std::to_string(mesh.n_coarse),
                        "it must be 0" + why);
     if (linear_solver.is_iterative())
-      throw InputError("the section 'Linear solver' chooses a multigrid, which "
-                       "needs lines, but" +
-                       why.substr(3) + "; use the direct solver.");
+      throw InputError("the section 'Linear solver' must choose the direct "
+                       "solver, and not a multigrid," +
+                       why + ".");
     if (!surface.imperfection.is_zero())
       throw InputError("Surface/Imperfection/Formula",
                        surface.imperfection.formula,
@@ -77,6 +80,20 @@ namespace Biface
       throw InputError("Laminate/Integrals",
                        "shell",
                        "it must be 'plate'" + why + " or curvatures");
+    const auto check_constant = [&why](const std::string &entry,
+                                       const Formula     &formula) {
+      if (!formula.used_names().empty())
+        throw InputError(
+          entry, formula.get_text(), "it must be constant" + why);
+    };
+    for (const PlyParameters &ply : laminate.plies)
+      {
+        check_constant("Laminate/Plies", ply.thickness);
+        check_constant("Laminate/Plies", ply.angle);
+      }
+    for (const auto &ply : laminate.initial_stresses)
+      for (const Formula &stress : ply)
+        check_constant("Laminate/Initial ply stresses", stress);
     if (!laminate.initial_resultants.empty())
       throw InputError("the entry 'Laminate/Initial resultants' must be empty" +
                        why + ".");

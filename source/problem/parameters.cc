@@ -660,7 +660,8 @@ namespace Biface
 
   namespace
   {
-    /** What of a mesh must be the same at a restart: its nodes and cells. */
+    /** What of a mesh must be the same at a restart: its nodes, cells and
+     * groups. */
     std::vector<Point<2>>
     pairs_of_mesh(const QuadrilateralMesh &mesh)
     {
@@ -671,6 +672,15 @@ namespace Biface
       for (const auto &cell : mesh.cells)
         for (const unsigned int v : {0, 2})
           pairs.emplace_back(cell[v], cell[v + 1]);
+      for (const QuadrilateralMesh::Group &group : mesh.groups)
+        {
+          for (const char c : group.name)
+            pairs.emplace_back(static_cast<unsigned char>(c), -1);
+          for (const unsigned int node : group.nodes)
+            pairs.emplace_back(node, -2);
+          for (const auto &side : group.sides)
+            pairs.emplace_back(side[0], side[1]);
+        }
       return pairs;
     }
   } // namespace

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <cmath>
-#include <limits>
-
 #include <biface/base/errors.h>
 #include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
@@ -23,9 +20,12 @@ namespace Biface
                name,
                parse_file_name,
                "The file of the mesh of a surface of type 'mesh': a mesh of "
-               "quadrilaterals of Gmsh, MSH 2.2 or 4.1, ASCII. Outward is "
+               "quadrilaterals of Gmsh, MSH 2.2 or 4.1 in ASCII, or an "
+               "input file of Abaqus or CalculiX with shells of four, eight "
+               "or nine nodes. Outward is "
                "where the nodes of its cells run counterclockwise. Its "
-               "physical groups of lines are edges, and those of points are "
+               "physical groups or sets of nodes are edges, with their free "
+               "sides, and those of single nodes are "
                "named points, for 'Edge supports', 'Edge forces', 'Edge "
                "moments', 'Point supports' and so on. Relative to the "
                "parameter file; see 'Tables' for names in double quotes.",
@@ -38,7 +38,8 @@ namespace Biface
       [](const std::string &entry, const std::string &text) {
         std::vector<Formula> formulas;
         for (const std::string &item : split_list(entry, text, ';'))
-          formulas.push_back(parse_position_formula(entry, item));
+          formulas.emplace_back(
+            entry, item, std::vector<std::string>{"x", "y", "z"});
         if (formulas.size() != 3)
           throw InputError(entry,
                            text,
@@ -68,15 +69,14 @@ namespace Biface
   MeshFile::read(const MPI_Comm communicator)
   {
     mesh = std::make_shared<const QuadrilateralMesh>(
-      parse_gmsh(read_file(name, communicator), name, fold_angle));
+      parse_mesh(read_file(name, communicator), name, fold_angle));
   }
 
 
   Tensor<1, 3>
   MeshFile::direction_at(const Point<3> &x) const
   {
-    constexpr double          nan = std::numeric_limits<double>::quiet_NaN();
-    const std::vector<double> variables{x[0], x[1], x[2], nan, nan};
+    const std::vector<double> variables{x[0], x[1], x[2]};
     Tensor<1, 3>              result;
     for (unsigned int d = 0; d < 3; ++d)
       result[d] = direction[d](variables);

@@ -18,6 +18,7 @@
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/surface/mesh_text.h>
 #include <biface/surface/quadrilateral_mesh.h>
 
 namespace Biface
@@ -34,390 +35,6 @@ namespace Biface
     }
 
 
-    /** The numbers of a text, line by line. */
-    class MeshText
-    {
-    public:
-      MeshText(const std::string &text, const std::string &name)
-        : name(name), rest(text.c_str())
-      {}
-
-      /** Go to the next line that is not empty. @return whether there is one.
-       */
-      bool
-      next_line()
-      {
-        while (*rest != '\0')
-          {
-            ++number;
-            const char *end = rest;
-            while (*end != '\0' && *end != '\n')
-              ++end;
-            line.assign(rest, end);
-            rest = (*end == '\0' ? end : end + 1);
-            line = Utilities::trim(line);
-            if (!line.empty())
-              {
-                position = line.c_str();
-                return true;
-              }
-          }
-        return false;
-      }
-
-      /** Go to the next line, which must exist. */
-      void
-      require_line(const std::string &meaning)
-      {
-        if (!next_line())
-          throw InputError("the mesh '" + name + "' ends where " + meaning +
-                           " should follow; it is incomplete.");
-      }
-
-      const std::string &
-      get_line() const
-      {
-        return line;
-      }
-
-      /** The next number of the line. */
-      double
-      number_of(const std::string &meaning)
-      {
-        char        *end   = nullptr;
-        const double value = std::strtod(position, &end);
-        if (end == position || !std::isfinite(value) ||
-            (*end != '\0' && *end != ' ' && *end != '\t'))
-          refuse(meaning);
-        position = end;
-        return value;
-      }
-
-      /** The next number of the line, a whole one that is not negative. */
-      std::size_t
-      index_of(const std::string &meaning)
-      {
-        const double value = number_of(meaning);
-        if (!(value >= 0 && value < 1e15 && value == std::floor(value)))
-          refuse(meaning);
-        return static_cast<std::size_t>(value);
-      }
-
-      /** Pass over numbers of the line. */
-      void
-      skip(const unsigned int n, const std::string &meaning)
-      {
-        for (unsigned int i = 0; i < n; ++i)
-          number_of(meaning);
-      }
-
-      /** Throw InputError: the line must contain something else. */
-      [[noreturn]] void
-      refuse(const std::string &meaning) const
-      {
-        throw InputError(name + ", line " + std::to_string(number),
-                         line,
-                         "it must contain " + meaning);
-      }
-
-    private:
-      const std::string name;
-      const char       *rest;
-      std::string       line;
-      const char       *position = nullptr;
-      std::size_t       number   = 0;
-    };
-
-
-    /** The kinds of elements of Gmsh that can occur in the mesh of a shell.
-     * @param n_nodes all of them, of which the corners come first. */
-    struct ElementKind
-    {
-      unsigned int dimension, n_corners, n_nodes;
-    };
-
-    /** The kind of a number; none for solids and others. */
-    const std::map<std::size_t, ElementKind> kinds_of_elements{
-      {15, {0, 1, 1}},
-      {1, {1, 2, 2}},
-      {8, {1, 2, 3}},
-      {26, {1, 2, 4}},
-      {2, {2, 3, 3}},
-      {9, {2, 3, 6}},
-      {21, {2, 3, 10}},
-      {3, {2, 4, 4}},
-      {16, {2, 4, 8}},
-      {10, {2, 4, 9}},
-      {36, {2, 4, 16}}};
-
-
-    /** The contents of a file before anything is checked that needs more than
-     * a line. */
-    struct RawMesh
-    {
-      std::vector<Point<3>>                         nodes;
-      std::vector<std::size_t>                      node_numbers;
-      std::unordered_map<std::size_t, unsigned int> node_of_number;
-
-      struct Element
-      {
-        std::size_t               number;
-        std::vector<unsigned int> corners;
-        /** The physical groups of the element. */
-        std::vector<long> groups;
-      };
-      /** By dimension. */
-      std::array<std::vector<Element>, 3> elements;
-
-      /** The names of groups by dimension and number. */
-      std::map<std::pair<unsigned int, long>, std::string> names;
-    };
-
-
-    class GmshReader
-    {
-    public:
-      GmshReader(const std::string &text, const std::string &name)
-        : name(name), text(text, name)
-      {}
-
-      RawMesh
-      read()
-      {
-        bool has_format = false;
-        while (text.next_line())
-          {
-            const std::string section = text.get_line();
-            if (section[0] != '$')
-              text.refuse("the start of a section of Gmsh, such as '$Nodes'");
-            if (section == "$MeshFormat")
-              {
-                read_format();
-                has_format = true;
-              }
-            else if (!has_format)
-              text.refuse("'$MeshFormat', with which a mesh of Gmsh starts");
-            else if (section == "$PhysicalNames")
-              read_names();
-            else if (section == "$Entities")
-              read_entities();
-            else if (section == "$Nodes")
-              read_nodes();
-            else if (section == "$Elements")
-              read_elements();
-            const std::string end = "$End" + section.substr(1);
-            do
-              text.require_line("'" + end + "'");
-            while (text.get_line() != end);
-          }
-        if (!has_format)
-          throw InputError("the mesh '" + name +
-                           "' is not one of Gmsh: it must start with "
-                           "'$MeshFormat'.");
-        return raw;
-      }
-
-    private:
-      void
-      read_format()
-      {
-        text.require_line("the version of the format");
-        const std::string meaning = "version, kind and size of numbers";
-        version                   = text.number_of(meaning);
-        const std::size_t kind    = text.index_of(meaning);
-        if (kind != 0)
-          throw InputError(
-            name + " is a binary mesh, but it must be ASCII: save it with "
-                   "'Mesh.Binary = 0'.");
-        if (!(version >= 2 && version < 3) && version != 4.1)
-          text.refuse("the version 2.2 or 4.1 of the format of Gmsh (in Gmsh: "
-                      "'Mesh.MshFileVersion = 4.1')");
-      }
-
-      void
-      read_names()
-      {
-        const std::string meaning =
-          "dimension, number and quoted name of a physical group";
-        text.require_line("the number of physical groups");
-        const std::size_t n = text.index_of("the number of physical groups");
-        for (std::size_t i = 0; i < n; ++i)
-          {
-            text.require_line(meaning);
-            const std::size_t dimension = text.index_of(meaning);
-            const std::size_t number    = text.index_of(meaning);
-            const std::string line      = text.get_line();
-            const auto        first = line.find('"'), last = line.rfind('"');
-            if (last == first || last == first + 1)
-              text.refuse(meaning);
-            raw.names[{dimension, number}] =
-              line.substr(first + 1, last - first - 1);
-          }
-      }
-
-      void
-      read_entities()
-      {
-        const std::string meaning = "the numbers of points, curves, surfaces "
-                                    "and volumes";
-        text.require_line(meaning);
-        std::array<std::size_t, 4> n;
-        for (std::size_t &value : n)
-          value = text.index_of(meaning);
-        for (unsigned int dimension = 0; dimension < 4; ++dimension)
-          for (std::size_t i = 0; i < n[dimension]; ++i)
-            {
-              const std::string of_entity =
-                "number, box and physical groups of an entity";
-              text.require_line(of_entity);
-              const std::size_t number = text.index_of(of_entity);
-              text.skip(dimension == 0 ? 3 : 6, of_entity);
-              auto             &groups = groups_of_entity[{dimension, number}];
-              const std::size_t n_groups = text.index_of(of_entity);
-              for (std::size_t k = 0; k < n_groups; ++k)
-                groups.push_back(
-                  std::abs(static_cast<long>(text.number_of(of_entity))));
-            }
-      }
-
-      void
-      add_node(const std::size_t number, const Point<3> &x)
-      {
-        if (!raw.node_of_number.emplace(number, raw.nodes.size()).second)
-          text.refuse("another node number: this one has occurred before");
-        raw.nodes.push_back(x);
-        raw.node_numbers.push_back(number);
-      }
-
-      void
-      read_nodes()
-      {
-        const std::string of_block = "numbers of a block of nodes",
-                          meaning  = "the coordinates of a node";
-        const auto position        = [&]() {
-          Point<3> x;
-          for (unsigned int d = 0; d < 3; ++d)
-            x[d] = text.number_of(meaning);
-          return x;
-        };
-        text.require_line("the number of nodes");
-        if (version < 3)
-          {
-            const std::size_t n = text.index_of("the number of nodes");
-            for (std::size_t i = 0; i < n; ++i)
-              {
-                text.require_line(meaning);
-                const std::size_t number = text.index_of(meaning);
-                add_node(number, position());
-              }
-            return;
-          }
-        const std::size_t n_blocks = text.index_of(of_block);
-        for (std::size_t b = 0; b < n_blocks; ++b)
-          {
-            text.require_line(of_block);
-            text.skip(3, of_block);
-            const std::size_t        n = text.index_of(of_block);
-            std::vector<std::size_t> numbers;
-            for (std::size_t i = 0; i < n; ++i)
-              {
-                text.require_line("the number of a node");
-                numbers.push_back(text.index_of("the number of a node"));
-              }
-            for (const std::size_t number : numbers)
-              {
-                text.require_line(meaning);
-                add_node(number, position());
-              }
-          }
-      }
-
-      void
-      add_element(const std::size_t        number,
-                  const std::size_t        type,
-                  const std::vector<long> &groups)
-      {
-        const std::string meaning = "the nodes of an element";
-        const auto        kind    = kinds_of_elements.find(type);
-        if (kind == kinds_of_elements.end())
-          throw InputError(
-            name + ": the element " + std::to_string(number) + " is of type " +
-            std::to_string(type) +
-            " of Gmsh, but the mesh of a shell consists of quadrilaterals, and "
-            "of lines and points that have names: save the surfaces alone.");
-        RawMesh::Element element{number, {}, groups};
-        for (unsigned int i = 0; i < kind->second.n_nodes; ++i)
-          {
-            const auto node = raw.node_of_number.find(text.index_of(meaning));
-            if (node == raw.node_of_number.end())
-              text.refuse(meaning + ", which must be among those of '$Nodes' "
-                                    "before it");
-            if (i < kind->second.n_corners)
-              element.corners.push_back(node->second);
-          }
-        raw.elements[kind->second.dimension].push_back(element);
-      }
-
-      void
-      read_elements()
-      {
-        const std::string of_block = "numbers of a block of elements",
-                          meaning  = "number and nodes of an element";
-        text.require_line("the number of elements");
-        if (version < 3)
-          {
-            const std::size_t n = text.index_of("the number of elements");
-            for (std::size_t i = 0; i < n; ++i)
-              {
-                text.require_line(meaning);
-                const std::size_t number = text.index_of(meaning);
-                const std::size_t type   = text.index_of(meaning);
-                const std::size_t n_tags = text.index_of(meaning);
-                // the first tag is the physical group, 0 for none; an element
-                // in several groups is listed several times
-                std::vector<long> groups;
-                for (std::size_t k = 0; k < n_tags; ++k)
-                  {
-                    const double tag = text.number_of(meaning);
-                    if (k == 0 && tag != 0)
-                      groups.push_back(std::abs(static_cast<long>(tag)));
-                  }
-                add_element(number, type, groups);
-              }
-            return;
-          }
-        const std::size_t n_blocks = text.index_of(of_block);
-        for (std::size_t b = 0; b < n_blocks; ++b)
-          {
-            text.require_line(of_block);
-            const std::size_t dimension = text.index_of(of_block);
-            const std::size_t entity    = text.index_of(of_block);
-            const std::size_t type      = text.index_of(of_block);
-            const std::size_t n         = text.index_of(of_block);
-            const auto groups = groups_of_entity.find({dimension, entity});
-            for (std::size_t i = 0; i < n; ++i)
-              {
-                text.require_line(meaning);
-                const std::size_t number = text.index_of(meaning);
-                add_element(number,
-                            type,
-                            groups == groups_of_entity.end()
-                              ? std::vector<long>()
-                              : groups->second);
-              }
-          }
-      }
-
-      const std::string name;
-      MeshText          text;
-      double            version = 0;
-      RawMesh           raw;
-      /** The physical groups of an entity by its dimension and number. */
-      std::map<std::pair<std::size_t, std::size_t>, std::vector<long>>
-        groups_of_entity;
-    };
-
-
     QuadrilateralMesh::Side
     sorted(const unsigned int a, const unsigned int b)
     {
@@ -429,7 +46,7 @@ namespace Biface
     class MeshBuilder
     {
     public:
-      MeshBuilder(const RawMesh &raw, const std::string &name)
+      MeshBuilder(const MeshText &raw, const std::string &name)
         : raw(raw), name(name)
       {}
 
@@ -443,6 +60,7 @@ namespace Biface
         orient();
         order_vertices();
         find_free_sides();
+        check_fans();
         check_places();
         set_normals();
         check_folds(fold_angle);
@@ -451,6 +69,8 @@ namespace Biface
       }
 
     private:
+      using Group = QuadrilateralMesh::Group;
+
       [[noreturn]] void
       refuse(const std::string &sentence) const
       {
@@ -474,8 +94,8 @@ namespace Biface
       void
       collect_cells()
       {
-        std::map<std::size_t, unsigned int> known;
-        for (const RawMesh::Element &element : raw.elements[2])
+        std::map<std::array<unsigned int, 4>, unsigned int> known;
+        for (const MeshText::Element &element : raw.elements[2])
           {
             if (element.corners.size() == 3)
               refuse(
@@ -485,7 +105,11 @@ namespace Biface
                 "makes them by 'Recombine Surface' with "
                 "'Mesh.SubdivisionAlgorithm = 1'.");
             // in version 2.2 a cell occurs once for each of its groups
-            const auto entry = known.emplace(element.number, mesh.cells.size());
+            std::array<unsigned int, 4> corners;
+            std::copy(
+              element.corners.begin(), element.corners.end(), corners.begin());
+            std::sort(corners.begin(), corners.end());
+            const auto entry = known.emplace(corners, mesh.cells.size());
             if (entry.second)
               {
                 const auto &c = element.corners;
@@ -679,6 +303,26 @@ namespace Biface
             }
       }
 
+      /** Refuse nodes at which parts of the shell meet that have no side in
+       * common. */
+      void
+      check_fans() const
+      {
+        std::vector<unsigned int> n_cells(mesh.nodes.size()),
+          n_sides(mesh.nodes.size());
+        for (const auto &cell : mesh.cells)
+          for (const unsigned int node : cell)
+            ++n_cells[node];
+        for (const auto &side : cells_of_side)
+          for (const unsigned int node : side.first)
+            ++n_sides[node];
+        for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+          if (n_sides[n] > n_cells[n] + 1)
+            refuse(node_in_words(n) +
+                   " joins parts of the shell that have no side in common, but "
+                   "the cells around a node must be neighbors.");
+      }
+
       /** Refuse two nodes of free sides at one place, where the mesh would come
        * apart. */
       void
@@ -769,7 +413,7 @@ namespace Biface
       collect_groups()
       {
         for (unsigned int dimension = 0; dimension < 2; ++dimension)
-          for (const RawMesh::Element &element : raw.elements[dimension])
+          for (const MeshText::Element &element : raw.elements[dimension])
             for (const long number : element.groups)
               {
                 std::vector<unsigned int> nodes;
@@ -792,19 +436,46 @@ namespace Biface
                   group.sides.push_back(sorted(nodes[0], nodes[1]));
               }
 
-        std::map<std::string, unsigned int> dimension_of_name;
+        std::set<std::pair<unsigned int, std::string>> names;
         for (auto &[key, group] : groups)
           {
             group.name = name_of(key);
-            if (!dimension_of_name.emplace(group.name, key.first).second)
+            if (!names.emplace(key.first, group.name).second)
               refuse("two groups have the name '" + group.name +
                      "', but names must be unique.");
             std::sort(group.nodes.begin(), group.nodes.end());
             group.nodes.erase(
               std::unique(group.nodes.begin(), group.nodes.end()),
               group.nodes.end());
+            std::sort(group.sides.begin(), group.sides.end());
+            group.sides.erase(
+              std::unique(group.sides.begin(), group.sides.end()),
+              group.sides.end());
             mesh.groups.push_back(group);
           }
+        for (const auto &[set_name, nodes] : raw.node_sets)
+          mesh.groups.push_back(group_of_nodes(set_name, nodes));
+      }
+
+      /** The group of a set of nodes, with the free sides between them. */
+      Group
+      group_of_nodes(const std::string               &set_name,
+                     const std::vector<unsigned int> &nodes) const
+      {
+        std::set<unsigned int> of_cells;
+        for (const unsigned int node : nodes)
+          if (new_number[node] != numbers::invalid_unsigned_int)
+            of_cells.insert(new_number[node]);
+        Group group;
+        group.name = set_name;
+        group.nodes.assign(of_cells.begin(), of_cells.end());
+        for (const auto &free_side : mesh.free_sides)
+          {
+            const auto side = side_of(free_side.cell, free_side.face);
+            if (of_cells.count(side[0]) > 0 && of_cells.count(side[1]) > 0)
+              group.sides.push_back(sorted(side[0], side[1]));
+          }
+        return group;
       }
 
       std::string
@@ -815,9 +486,7 @@ namespace Biface
                                         : found->second;
       }
 
-      using Group = QuadrilateralMesh::Group;
-
-      const RawMesh    &raw;
+      const MeshText   &raw;
       const std::string name;
       QuadrilateralMesh mesh;
       /** The number of each node of the file in the mesh; invalid for those of
@@ -842,36 +511,43 @@ namespace Biface
 
 
   unsigned int
-  QuadrilateralMesh::find_group(const std::string &entry,
-                                const std::string &text,
-                                const std::string &name,
-                                const bool         lines) const
+  QuadrilateralMesh::find_edge(const std::string &entry,
+                               const std::string &text,
+                               const std::string &name) const
   {
     std::string names;
     for (unsigned int i = 0; i < groups.size(); ++i)
       {
-        const Group &group = groups[i];
-        if (lines ? group.sides.empty() : group.nodes.empty())
+        if (groups[i].nodes.size() < 2)
           continue;
-        if (group.name == name)
+        if (groups[i].name == name)
           return i;
-        names += (names.empty() ? "'" : ", '") + group.name + "'";
+        names += (names.empty() ? "'" : ", '") + groups[i].name + "'";
       }
-    throw InputError(
-      entry,
-      text,
-      std::string("the mesh has no group of ") +
-        (lines ? "lines" : "lines or points") + " '" + name + "'; " +
-        (names.empty() ? "it has none at all" : "its groups are " + names));
+    throw InputError(entry,
+                     text,
+                     names.empty()
+                       ? "the mesh has no groups of lines or nodes, "
+                         "which would be edges"
+                       : "the edges are " + names);
   }
 
 
   QuadrilateralMesh
-  parse_gmsh(const std::string &text,
+  parse_mesh(const std::string &text,
              const std::string &file_name,
              const double       fold_angle)
   {
-    const RawMesh raw = GmshReader(text, file_name).read();
-    return MeshBuilder(raw, "the mesh '" + file_name + "'").build(fold_angle);
+    const std::string name  = "the mesh '" + file_name + "'";
+    const auto        first = text.find_first_not_of(" \t\n");
+    if (first == std::string::npos ||
+        (text[first] != '$' && text[first] != '*'))
+      throw InputError(name +
+                       " is neither one of Gmsh, which starts with "
+                       "'$MeshFormat', nor one of Abaqus or CalculiX, which "
+                       "starts with a line of '*'.");
+    const MeshText raw = (text[first] == '$' ? read_gmsh(text, file_name)
+                                             : read_abaqus(text, file_name));
+    return MeshBuilder(raw, name).build(fold_angle);
   }
 } // namespace Biface

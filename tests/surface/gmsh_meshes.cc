@@ -50,7 +50,7 @@ namespace
   {
     try
       {
-        parse_gmsh(text, "m.msh", fold_angle);
+        parse_mesh(text, "m.msh", fold_angle);
         std::cout << "ACCEPTED" << std::endl;
       }
     catch (const InputError &error)
@@ -80,10 +80,10 @@ namespace
 int
 main()
 {
-  print("2.2", parse_gmsh(two_cells("20 30 60 50"), "m.msh", 20));
-  print("turned", parse_gmsh(two_cells("50 60 30 20"), "m.msh", 20));
+  print("2.2", parse_mesh(two_cells("20 30 60 50"), "m.msh", 20));
+  print("turned", parse_mesh(two_cells("50 60 30 20"), "m.msh", 20));
   print("4.1",
-        parse_gmsh("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n"
+        parse_mesh("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n"
                    "$PhysicalNames\n2\n1 7 \"end\"\n2 1 \"strip\"\n"
                    "$EndPhysicalNames\n"
                    "$Entities\n0 1 1 0\n3 2 0 0 2 1 0 1 7 0\n"
@@ -96,7 +96,7 @@ main()
                    "m.msh",
                    20));
   print("second order",
-        parse_gmsh(cells_of({{0, 0, 0},
+        parse_mesh(cells_of({{0, 0, 0},
                              {1, 0, 0},
                              {1, 1, 0},
                              {0, 1, 0},
@@ -108,8 +108,18 @@ main()
                    "m.msh",
                    20));
 
+  // a cell in two groups, and a line twice in one, as Gmsh writes them in 2.2
+  print("repeated",
+        parse_mesh(cells_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+                            {"1 2 7 1 1 2",
+                             "1 2 7 1 2 1",
+                             "3 2 1 1 1 2 3 4",
+                             "3 2 2 1 1 2 3 4"}),
+                   "m.msh",
+                   20));
+
   // the normals of an irregular part of a sphere
-  const QuadrilateralMesh sphere = parse_gmsh(
+  const QuadrilateralMesh sphere = parse_mesh(
     gmsh_text(irregular_mesh(16, 16, 0.25, hemisphere)), "m.msh", 20);
   double largest = 0;
   for (unsigned int i = 0; i < sphere.nodes.size(); ++i)
@@ -173,6 +183,11 @@ main()
       }
     refuse(cells_of(nodes, elements));
   }
+  // counts that do not fit, and parts that meet in a node
+  refuse(head + "$Nodes\n1\n1 0 0 0\n2 1 0 0\n$EndNodes\n");
+  refuse(head + "$PartitionedEntities\n$EndPartitionedEntities\n");
+  refuse(cells_of({a, b, c, d, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}},
+                  {"3 0 1 2 3 4", "3 0 3 5 6 7"}));
   // a line that is no side
   refuse(cells_of({a, b, c, d}, {"3 0 1 2 3 4", "1 2 3 1 1 3"}));
 }

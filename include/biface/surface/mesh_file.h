@@ -35,7 +35,7 @@ namespace Biface
     add_parameters(EntryDeclarations &prm);
 
     /** Read the mesh; must be called on all ranks. Throws InputError on all of
-     * them, see parse_gmsh(). */
+     * them, see parse_mesh(). */
     void
     read(const MPI_Comm communicator);
 

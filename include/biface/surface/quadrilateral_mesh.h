@@ -65,22 +65,21 @@ namespace Biface
     dealii::Point<3>
     center(const unsigned int cell) const;
 
-    /** The position of a group among @p groups. Throws InputError that names
-     * @p entry, @p text and all groups of the same kind if there is none.
-     * @param lines whether the group must have sides; otherwise it must have
-     * nodes. */
+    /** The position in @p groups of an edge, a group of several nodes. Throws
+     * InputError that names @p entry, @p text and all edges if there is none of
+     * the name. */
     unsigned int
-    find_group(const std::string &entry,
-               const std::string &text,
-               const std::string &name,
-               const bool         lines) const;
+    find_edge(const std::string &entry,
+              const std::string &text,
+              const std::string &name) const;
   };
 
 
   /**
-   * Read a mesh from the text of a file of Gmsh: MSH 2.2 or 4.1, ASCII.
-   * Quadrilaterals of second order count as those of their corners. Names of
-   * groups are those of physical groups, or their numbers where they have none.
+   * Read a mesh from the text of a file of Gmsh, MSH 2.2 or 4.1 in ASCII, or of
+   * Abaqus or CalculiX. Quadrilaterals of second order count as those of their
+   * corners. Names of groups are those of physical groups, or their numbers
+   * where they have none, and of sets of nodes and elements, in capitals.
    *
    * Throws InputError, naming the file and the line, if the text is anything
    * else; naming the cell or the node and its position, if there are triangles
@@ -91,7 +90,7 @@ namespace Biface
    * @param fold_angle in degrees.
    */
   QuadrilateralMesh
-  parse_gmsh(const std::string &text,
+  parse_mesh(const std::string &text,
              const std::string &file_name,
              const double       fold_angle);
 } // namespace Biface

@@ -328,8 +328,11 @@ namespace Biface
             }
       // the edge may lie on other ranks
       if (Utilities::MPI::sum(n_loaded, mesh.communicator) == 0)
-        throw InputError(
-          "Loads/Edge forces", force.text, "there is no such ply on this edge");
+        throw InputError("Loads/Edge forces",
+                         force.text,
+                         force.ply > 0
+                           ? "there is no such ply on this edge"
+                           : "there is no side of a cell along this edge");
     }
 
 
@@ -390,6 +393,18 @@ namespace Biface
     for (const Traction &traction : tractions)
       last = std::max(last, traction.factor);
     std::vector<LA::Vector> nodal_forces(last + 1, mesh.owned_vector());
+    for (const PointForce &item : point_forces)
+      if (item.force.local)
+        mesh.require_direction("Loads/Point forces", item.point);
+    for (const EdgeForce &item : edge_forces)
+      if (item.force.local)
+        mesh.require_direction("Loads/Edge forces", item.text);
+    for (const auto face : {Resultants::inner, Resultants::outer})
+      if (tractions[face].local)
+        mesh.require_direction(face == Resultants::inner
+                                 ? "Loads/Inner traction"
+                                 : "Loads/Outer traction",
+                               "local");
 
     for (const PointForce &item : point_forces)
       {

@@ -140,6 +140,11 @@ namespace Biface
 
         const unsigned int edge =
           mesh.find_edge("Loads/Edge moments", moment.text, moment.edge);
+        if (mesh.edges[edge].is_inside)
+          throw InputError("Loads/Edge moments",
+                           moment.text,
+                           "a part of the line lies inside the shell, where a "
+                           "moment has no direction");
         for (const BoundarySegment &segment : mesh.boundary)
           if (segment.edge == edge)
             result.push_back({section_of(mesh, segment),

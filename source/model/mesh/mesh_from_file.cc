@@ -72,9 +72,7 @@ namespace Biface
           {
             const unsigned int d = *support.symmetry;
             for (const unsigned int node :
-                 mesh
-                   .groups[mesh.find_group(
-                     entry, support.text, support.edge, true)]
+                 mesh.groups[mesh.find_edge(entry, support.text, support.edge)]
                    .nodes)
               {
                 Tensor<1, 3> normal = normals[node];
@@ -94,13 +92,22 @@ namespace Biface
     }
 
 
+    /** Whether a direction has a projection into the surface. */
+    bool
+    has_direction(const Tensor<1, 3> &normal, const Tensor<1, 3> &direction)
+    {
+      return (direction - (direction * normal) * normal).norm() >
+             1e-2 * direction.norm();
+    }
+
+
     /** The frame at a node: the normal, and the projection of the direction
      * into the surface, or of another one where it has none. */
     std::array<Tensor<1, 3>, 3>
     frame_along(const Tensor<1, 3> &normal, const Tensor<1, 3> &direction)
     {
       Tensor<1, 3> along = direction - (direction * normal) * normal;
-      if (!(along.norm() > 1e-2 * direction.norm()))
+      if (!has_direction(normal, direction))
         {
           unsigned int least = 0;
           for (unsigned int d = 1; d < 3; ++d)
@@ -131,9 +138,7 @@ namespace Biface
             throw InputError("the entry 'Surface/Mesh/Direction' is zero in " +
                              cell_in_words(mesh, c) +
                              ", but it must be a direction.");
-          if (layup.has_fibers() &&
-              !((direction - (direction * normal) * normal).norm() >
-                1e-2 * direction.norm()))
+          if (layup.has_fibers() && !has_direction(normal, direction))
             throw InputError(
               "the entry 'Surface/Mesh/Direction' is normal to the surface in " +
               cell_in_words(mesh, c) +
@@ -176,7 +181,6 @@ namespace Biface
     {
       unsigned int              cell = numbers::invalid_unsigned_int;
       std::vector<unsigned int> edges;
-      bool                      inside = false;
     };
 
     using Side = QuadrilateralMesh::Side;
@@ -261,20 +265,76 @@ namespace Biface
 
 
   void
+  MeshNodes::require_direction(const std::string &entry,
+                               const std::string &text) const
+  {
+    if (place_without_direction)
+      throw InputError(entry,
+                       text,
+                       "the directions v_1 and v_2 have no meaning at " +
+                         place(*place_without_direction) +
+                         ", where 'Surface/Mesh/Direction' is normal to the "
+                         "surface");
+  }
+
+
+  void
+  ShellMesh::check_components(const Supports &supports) const
+  {
+    const auto check = [this](const std::string                   &entry,
+                              const std::string                   &text,
+                              const std::vector<SupportCondition> &conditions) {
+      // all three together hold whatever the directions are
+      std::set<Component> components;
+      for (const SupportCondition &condition : conditions)
+        components.insert(condition.component);
+      const bool has_1 = components.count(Component::v_1) > 0,
+                 has_2 = components.count(Component::v_2) > 0;
+      if (has_1 != has_2 ||
+          (has_1 && std::any_of(conditions.begin(),
+                                conditions.end(),
+                                [](const SupportCondition &condition) {
+                                  return condition.is_prescribed;
+                                })))
+        require_direction(entry, text);
+    };
+    for (const EdgeSupport &edge : supports.named_edges)
+      check("Supports/Edge supports", edge.text, edge.conditions);
+    for (const PointSupport &point : supports.points)
+      check("Supports/Point supports", point.point, point.conditions);
+  }
+
+
+  void
   ShellMesh::collect_from_file(const MeshFile &file, const Supports &supports)
   {
     const QuadrilateralMesh        &mesh = *file.mesh;
     const std::vector<Tensor<1, 3>> normals =
       normals_in_planes(mesh, supports.named_edges);
     const std::array<double, 2> heights = strips[0].laminate.face_heights();
+    if (!(heights[1] - heights[0] < size()))
+      throw InputError("the plies of 'Laminate/Plies' are " +
+                       number_to_string(heights[1] - heights[0]) +
+                       " thick, but the whole mesh is only " +
+                       number_to_string(size()) +
+                       " large: it must be in the same unit of length.");
     check_directions(file, *layup);
     check_faces(mesh, normals, heights);
+    // of all nodes on all ranks, which must answer a faulty formula together
+    std::vector<Tensor<1, 3>> directions;
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+      {
+        directions.push_back(file.direction_at(mesh.nodes[n]));
+        if (!has_direction(normals[n], directions[n]))
+          place_without_direction = mesh.nodes[n];
+      }
+    check_components(supports);
 
-    // groups of lines, and the cells of their sides
+    // groups of lines or several nodes, and the cells of their sides
     std::map<Side, NamedSide> named_sides;
     std::vector<unsigned int> group_of_edge;
     for (unsigned int g = 0; g < mesh.groups.size(); ++g)
-      if (!mesh.groups[g].sides.empty())
+      if (mesh.groups[g].nodes.size() > 1)
         {
           for (const Side &side : mesh.groups[g].sides)
             named_sides[side].edges.push_back(edges.size());
@@ -290,18 +350,18 @@ namespace Biface
           if (named->second.cell == numbers::invalid_unsigned_int)
             named->second.cell = c;
           else
-            named->second.inside = true;
+            for (const unsigned int edge : named->second.edges)
+              edges[edge].is_inside = true;
         }
 
     const auto make_node = [&](const unsigned int number) {
       constexpr double nan = std::numeric_limits<double>::quiet_NaN();
       Node             node;
-      node.grid_index       = {{0, 0}};
-      node.number           = number;
-      node.alpha            = Point<2>(nan, nan);
-      node.surface.position = mesh.nodes[number];
-      node.surface.frame =
-        frame_along(normals[number], file.direction_at(mesh.nodes[number]));
+      node.grid_index        = {{0, 0}};
+      node.number            = number;
+      node.alpha             = Point<2>(nan, nan);
+      node.surface.position  = mesh.nodes[number];
+      node.surface.frame     = frame_along(normals[number], directions[number]);
       node.surface.lame      = {{1, 1}};
       node.surface.curvature = {{0, 0}};
       node.surface.geodesic  = {{0, 0}};
@@ -365,17 +425,15 @@ namespace Biface
               nodes[segment.nodes[1]].surface.position -
               nodes[segment.nodes[0]].surface.position;
             segment.length = along.norm();
-            // sides 1 and 2 run counterclockwise; on a line inside the shell a
-            // moment has no direction
-            if (!named->second.inside)
-              for (unsigned int k = 0; k < 2; ++k)
-                {
-                  Tensor<1, 3> axis =
-                    nodes[segment.nodes[k]].surface.to_frame(along);
-                  axis[2] = 0;
-                  segment.axes[k] =
-                    (f == 1 || f == 2 ? 1 : -1) / axis.norm() * axis;
-                }
+            // sides 1 and 2 run counterclockwise
+            for (unsigned int k = 0; k < 2; ++k)
+              {
+                Tensor<1, 3> axis =
+                  nodes[segment.nodes[k]].surface.to_frame(along);
+                axis[2] = 0;
+                segment.axes[k] =
+                  (f == 1 || f == 2 ? 1 : -1) / axis.norm() * axis;
+              }
             for (const unsigned int edge : named->second.edges)
               {
                 segment.edge = edge;

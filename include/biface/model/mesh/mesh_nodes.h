@@ -11,6 +11,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -155,11 +156,23 @@ namespace Biface
       std::string name;
       /** The nodes of this rank on it, by their positions in @p nodes. */
       std::vector<unsigned int> nodes;
+      /** Whether a part of it lies between two cells; the same on all ranks. */
+      bool is_inside = false;
     };
 
     /** The edges: those of a grid in the order of Edge, or the groups of lines
      * of a mesh from a file. */
     std::vector<NamedEdge> edges;
+
+    /** A node where the first direction of the material, see
+     * MeshFile::direction, is normal to the surface, so that v_1 and v_2 have
+     * no meaning; the same on all ranks. */
+    std::optional<dealii::Point<3>> place_without_direction;
+
+    /** Throw InputError that names @p entry and @p text if there is a
+     * place_without_direction. */
+    void
+    require_direction(const std::string &entry, const std::string &text) const;
 
     /** The position of an edge in @p edges. Throws InputError that names
      * @p entry and @p text if there is no such edge. */

@@ -440,6 +440,10 @@ namespace Biface
     static std::vector<Strip>
     strips_without_lines(const Layup &layup);
 
+    /** Throw InputError if supports use directions that have no meaning. */
+    void
+    check_components(const Supports &supports) const;
+
     /** Create cells, nodes and edges from a file. */
     void
     collect_from_file(const MeshFile &file, const Supports &supports);
