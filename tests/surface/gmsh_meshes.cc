@@ -109,14 +109,14 @@ main()
                    20));
 
   // a cell in two groups, and a line twice in one, as Gmsh writes them in 2.2
-  print("repeated",
-        parse_mesh(cells_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
-                            {"1 2 7 1 1 2",
-                             "1 2 7 1 2 1",
-                             "3 2 1 1 1 2 3 4",
-                             "3 2 2 1 1 2 3 4"}),
-                   "m.msh",
-                   20));
+  print(
+    "repeated",
+    parse_mesh(
+      cells_of(
+        {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+        {"1 2 7 1 1 2", "1 2 7 1 2 1", "3 2 1 1 1 2 3 4", "3 2 2 1 1 2 3 4"}),
+      "m.msh",
+      20));
 
   // the normals of an irregular part of a sphere
   const QuadrilateralMesh sphere = parse_mesh(
