@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// An input file of Abaqus or CalculiX gives nodes, shells and sets, as ranges, as
-// lists and by names, in any case of letters; a set of nodes is an edge along the
-// free sides between them; elements may go on in the next line; what has nothing
-// to do with the mesh is passed over; and each fault is answered with its place.
+// An input file of Abaqus or CalculiX gives nodes, shells and sets, as ranges,
+// as lists and by names, in any case of letters; a set of nodes is an edge
+// along the free sides between them; elements may go on in the next line; what
+// has nothing to do with the mesh is passed over; and each fault is answered
+// with its place.
 
 #include <biface/base/errors.h>
 #include <biface/surface/quadrilateral_mesh.h>
@@ -53,11 +54,12 @@ namespace
 int
 main()
 {
-  print(strip(s4,
-              "*NSET, NSET=left\n1, 11\n*nset, nset=Bottom, generate\n1, 4\n"
-              "*Nset,nset=tip\n 14,\n*NSET, NSET=both\nLEFT, bottom\n"
-              "*ELSET, ELSET=ends\n1, 3\n*MATERIAL, NAME=STEEL\n*ELASTIC\n"
-              "210000, .3\n*STEP\n*STATIC\n*BOUNDARY\nleft, 1, 6\n*END STEP\n"));
+  print(
+    strip(s4,
+          "*NSET, NSET=left\n1, 11\n*nset, nset=Bottom, generate\n1, 4\n"
+          "*Nset,nset=tip\n 14,\n*NSET, NSET=both\nLEFT, bottom\n"
+          "*ELSET, ELSET=ends\n1, 3\n*MATERIAL, NAME=STEEL\n*ELASTIC\n"
+          "210000, .3\n*STEP\n*STATIC\n*BOUNDARY\nleft, 1, 6\n*END STEP\n"));
   print(strip("*ELEMENT, TYPE=S8R\n1, 1,3,13,11,2,13,12,\n11\n", ""));
   print(strip("*ELEMENT, TYPE=S3\n1, 1,2,12\n", ""));
   print(strip("*ELEMENT, TYPE=B31\n1, 1,2\n", ""));
