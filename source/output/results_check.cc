@@ -134,7 +134,7 @@ namespace Biface
     const ShellMesh            &mesh = equations.mesh;
     std::array<unsigned int, 2> n_lines{};
     if (!mesh.grid.has_lines())
-      return {{numbers::invalid_unsigned_int, numbers::invalid_unsigned_int}};
+      return n_lines;
     const ActiveSet in_contact =
       contact.ground().points.nodes_around(state.ground().active);
     for (unsigned int a = 0; a < 2; ++a)

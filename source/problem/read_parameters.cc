@@ -226,26 +226,18 @@ namespace Biface
         if (!error)
           name = result;
       };
-      std::string points_file = parameters.surface.points_file.name;
-      if (!points_file.empty())
-        {
-          make_absolute(points_file);
-          prm.enter_subsection("Surface");
-          prm.enter_subsection("Spline");
-          prm.set("File", print_file_name(points_file));
-          prm.leave_subsection();
-          prm.leave_subsection();
-        }
-      std::string mesh_file = parameters.surface.mesh.name;
-      if (!mesh_file.empty())
-        {
-          make_absolute(mesh_file);
-          prm.enter_subsection("Surface");
-          prm.enter_subsection("Mesh");
-          prm.set("File", print_file_name(mesh_file));
-          prm.leave_subsection();
-          prm.leave_subsection();
-        }
+      for (auto [section, file] :
+           {std::make_pair("Spline", parameters.surface.points_file.name),
+            std::make_pair("Mesh", parameters.surface.mesh.name)})
+        if (!file.empty())
+          {
+            make_absolute(file);
+            prm.enter_subsection("Surface");
+            prm.enter_subsection(section);
+            prm.set("File", print_file_name(file));
+            prm.leave_subsection();
+            prm.leave_subsection();
+          }
       std::vector<NamedFile> charts;
       for (const Imperfection::Table &table :
            parameters.surface.imperfection.tables)

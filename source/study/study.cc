@@ -482,9 +482,12 @@ namespace Biface
           options.file_name = base_file;
           options.signals   = &signals;
           std::unique_ptr<SampleStates::Sample> states;
-          const ChartGrid grid(changed.mesh, *make_surface(changed.surface));
-          if (parameters.warm_start && grid.has_lines())
+          // states are interpolated between the lines of grids
+          if (parameters.warm_start &&
+              changed.surface.type != ReferenceSurface::Parameters::Type::mesh)
             {
+              const ChartGrid grid(changed.mesh,
+                                   *make_surface(changed.surface));
               states =
                 std::make_unique<SampleStates::Sample>(SampleStates::Sample{
                   samples[i],

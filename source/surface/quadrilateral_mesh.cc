@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/base/exceptions.h>
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/numbers.h>
-#include <deal.II/base/utilities.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria_description.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 #include <string>
-#include <unordered_map>
 #include <utility>
 
 #include <biface/base/errors.h>
@@ -28,17 +24,9 @@ namespace Biface
   namespace
   {
     std::string
-    to_text(const Point<3> &x)
+    in_parentheses(const Point<3> &x)
     {
-      return "(" + number_to_string(x[0]) + ", " + number_to_string(x[1]) +
-             ", " + number_to_string(x[2]) + ")";
-    }
-
-
-    QuadrilateralMesh::Side
-    sorted(const unsigned int a, const unsigned int b)
-    {
-      return {{std::min(a, b), std::max(a, b)}};
+      return "(" + vector_to_string(x) + ")";
     }
 
 
@@ -70,6 +58,14 @@ namespace Biface
 
     private:
       using Group = QuadrilateralMesh::Group;
+      using Side  = QuadrilateralMesh::Side;
+
+      /** The key of a side in @p cells_of_side. */
+      Side
+      key_of_side(const unsigned int cell, const unsigned int face) const
+      {
+        return QuadrilateralMesh::without_direction(mesh.side(cell, face));
+      }
 
       [[noreturn]] void
       refuse(const std::string &sentence) const
@@ -78,17 +74,10 @@ namespace Biface
       }
 
       std::string
-      cell_in_words(const unsigned int cell) const
-      {
-        return "the cell " + std::to_string(mesh.cell_numbers[cell]) + " at " +
-               to_text(mesh.center(cell));
-      }
-
-      std::string
       node_in_words(const unsigned int node) const
       {
         return "the node " + std::to_string(mesh.node_numbers[node]) + " at " +
-               to_text(mesh.nodes[node]);
+               in_parentheses(mesh.nodes[node]);
       }
 
       void
@@ -100,7 +89,7 @@ namespace Biface
             if (element.corners.size() == 3)
               refuse(
                 "the cell " + std::to_string(element.number) + " at " +
-                to_text(raw.nodes[element.corners[0]]) +
+                in_parentheses(raw.nodes[element.corners[0]]) +
                 " is a triangle, but all cells must be quadrilaterals; Gmsh "
                 "makes them by 'Recombine Surface' with "
                 "'Mesh.SubdivisionAlgorithm = 1'.");
@@ -176,9 +165,9 @@ namespace Biface
               // as a part of the area of a square of this size
               if (!(normal_at(c, v) * normal >
                     1e-4 * size * size * normal.norm()))
-                refuse(cell_in_words(c) +
+                refuse(mesh.cell_in_words(c) +
                        " is degenerate or not convex at the corner at " +
-                       to_text(mesh.nodes[mesh.cells[c][v]]) +
+                       in_parentheses(mesh.nodes[mesh.cells[c][v]]) +
                        ", but all corners must be convex.");
           }
       }
@@ -189,31 +178,16 @@ namespace Biface
         for (unsigned int c = 0; c < mesh.cells.size(); ++c)
           for (unsigned int f = 0; f < 4; ++f)
             {
-              const auto side = side_of(c, f);
-              auto      &of   = cells_of_side[sorted(side[0], side[1])];
+              auto &of = cells_of_side[key_of_side(c, f)];
               of.push_back({c, f});
               if (of.size() > 2)
-                refuse(cell_in_words(c) + " shares a side with the cells " +
+                refuse(mesh.cell_in_words(c) +
+                       " shares a side with the cells " +
                        std::to_string(mesh.cell_numbers[of[0].cell]) + " and " +
                        std::to_string(mesh.cell_numbers[of[1].cell]) +
                        ", but at most two cells may meet at a side: joints of "
                        "several shells are not possible.");
             }
-      }
-
-      /** The nodes of a side in the direction in which it runs around the cell
-       * counterclockwise. */
-      QuadrilateralMesh::Side
-      side_of(const unsigned int cell, const unsigned int face) const
-      {
-        const auto        &c = mesh.cells[cell];
-        const unsigned int a =
-                             c[GeometryInfo<2>::face_to_cell_vertices(face, 0)],
-                           b =
-                             c[GeometryInfo<2>::face_to_cell_vertices(face, 1)];
-        // sides 1 and 2 run with their coordinate, sides 0 and 3 against it
-        return face == 1 || face == 2 ? QuadrilateralMesh::Side{{a, b}}
-                                      : QuadrilateralMesh::Side{{b, a}};
       }
 
       /** Give all cells of a connected part the orientation of its first one.
@@ -234,14 +208,15 @@ namespace Biface
                 to_visit.pop_back();
                 for (unsigned int f = 0; f < 4; ++f)
                   {
-                    const auto side = side_of(c, f);
+                    const Side side = mesh.side(c, f);
                     for (const auto &other :
-                         cells_of_side.at(sorted(side[0], side[1])))
+                         cells_of_side.at(key_of_side(c, f)))
                       {
                         if (other.cell == c)
                           continue;
-                        const bool same = (side_of(other.cell, other.face) ==
-                                           sorted_against(side));
+                        // it runs in opposite directions around both
+                        const bool same = (mesh.side(other.cell, other.face) ==
+                                           Side{{side[1], side[0]}});
                         const int  wanted =
                           same ? orientation[c] : -orientation[c];
                         int &of = orientation[other.cell];
@@ -251,7 +226,7 @@ namespace Biface
                             to_visit.push_back(other.cell);
                           }
                         else if (of != wanted)
-                          refuse(cell_in_words(other.cell) +
+                          refuse(mesh.cell_in_words(other.cell) +
                                  " closes a band with one side only, like that "
                                  "of Moebius, but the surface must have two.");
                       }
@@ -280,27 +255,14 @@ namespace Biface
                     mesh.cells[c].begin());
       }
 
-      /** The side in the other direction. */
-      static QuadrilateralMesh::Side
-      sorted_against(const QuadrilateralMesh::Side &side)
-      {
-        return {{side[1], side[0]}};
-      }
-
       void
       find_free_sides()
       {
-        // the numbers of sides have changed with the orientation
-        std::map<QuadrilateralMesh::Side, unsigned int> n_cells;
-        for (const auto &side : cells_of_side)
-          n_cells[side.first] = side.second.size();
         for (unsigned int c = 0; c < mesh.cells.size(); ++c)
           for (unsigned int f = 0; f < 4; ++f)
-            {
-              const auto side = side_of(c, f);
-              if (n_cells.at(sorted(side[0], side[1])) == 1)
-                mesh.free_sides.push_back({c, f});
-            }
+            // by nodes: the numbers of sides have changed with the orientation
+            if (cells_of_side.at(key_of_side(c, f)).size() == 1)
+              mesh.free_sides.push_back({c, f});
       }
 
       /** Refuse nodes at which parts of the shell meet that have no side in
@@ -330,7 +292,7 @@ namespace Biface
       {
         std::set<unsigned int> ends;
         for (const auto &side : mesh.free_sides)
-          for (const unsigned int node : side_of(side.cell, side.face))
+          for (const unsigned int node : mesh.side(side.cell, side.face))
             ends.insert(node);
         std::vector<unsigned int> sorted_nodes(ends.begin(), ends.end());
         double                    size = 0;
@@ -397,7 +359,7 @@ namespace Biface
               std::atan2(cross_product_3d(a, b).norm(), a * b) * 180 /
               numbers::PI;
             if (angle > fold_angle)
-              refuse(cell_in_words(one) + " and the cell " +
+              refuse(mesh.cell_in_words(one) + " and the cell " +
                      std::to_string(mesh.cell_numbers[two]) +
                      " meet at an angle of " +
                      number_to_string(std::round(10 * angle) / 10) +
@@ -423,8 +385,10 @@ namespace Biface
                   std::find(nodes.begin(),
                             nodes.end(),
                             numbers::invalid_unsigned_int) == nodes.end();
-                if (!inside || (dimension == 1 && cells_of_side.count(sorted(
-                                                    nodes[0], nodes[1])) == 0))
+                const Side side = QuadrilateralMesh::without_direction(
+                  {{nodes.front(), nodes.back()}});
+                if (!inside ||
+                    (dimension == 1 && cells_of_side.count(side) == 0))
                   refuse("the element " + std::to_string(element.number) +
                          " of the group '" + name_of({dimension, number}) +
                          "' is not a part of any cell, but it must be " +
@@ -433,7 +397,7 @@ namespace Biface
                 group.nodes.insert(
                   group.nodes.end(), nodes.begin(), nodes.end());
                 if (dimension == 1)
-                  group.sides.push_back(sorted(nodes[0], nodes[1]));
+                  group.sides.push_back(side);
               }
 
         std::set<std::pair<unsigned int, std::string>> names;
@@ -471,9 +435,9 @@ namespace Biface
         group.nodes.assign(of_cells.begin(), of_cells.end());
         for (const auto &free_side : mesh.free_sides)
           {
-            const auto side = side_of(free_side.cell, free_side.face);
+            const Side side = mesh.side(free_side.cell, free_side.face);
             if (of_cells.count(side[0]) > 0 && of_cells.count(side[1]) > 0)
-              group.sides.push_back(sorted(side[0], side[1]));
+              group.sides.push_back(QuadrilateralMesh::without_direction(side));
           }
         return group;
       }
@@ -491,11 +455,9 @@ namespace Biface
       QuadrilateralMesh mesh;
       /** The number of each node of the file in the mesh; invalid for those of
        * no cell. */
-      std::vector<unsigned int> new_number;
-      std::map<QuadrilateralMesh::Side,
-               std::vector<QuadrilateralMesh::FreeSide>>
-                                                     cells_of_side;
-      std::map<std::pair<unsigned int, long>, Group> groups;
+      std::vector<unsigned int>                                new_number;
+      std::map<Side, std::vector<QuadrilateralMesh::FreeSide>> cells_of_side;
+      std::map<std::pair<unsigned int, long>, Group>           groups;
     };
   } // namespace
 
@@ -510,26 +472,24 @@ namespace Biface
   }
 
 
-  unsigned int
-  QuadrilateralMesh::find_edge(const std::string &entry,
-                               const std::string &text,
-                               const std::string &name) const
+  std::string
+  QuadrilateralMesh::cell_in_words(const unsigned int cell) const
   {
-    std::string names;
-    for (unsigned int i = 0; i < groups.size(); ++i)
-      {
-        if (groups[i].nodes.size() < 2)
-          continue;
-        if (groups[i].name == name)
-          return i;
-        names += (names.empty() ? "'" : ", '") + groups[i].name + "'";
-      }
-    throw InputError(entry,
-                     text,
-                     names.empty()
-                       ? "the mesh has no groups of lines or nodes, "
-                         "which would be edges"
-                       : "the edges are " + names);
+    return "the cell " + std::to_string(cell_numbers[cell]) + " at " +
+           in_parentheses(center(cell));
+  }
+
+
+  QuadrilateralMesh::Side
+  QuadrilateralMesh::side(const unsigned int cell,
+                          const unsigned int face) const
+  {
+    const auto end = [&](const unsigned int i) {
+      return cells[cell][GeometryInfo<2>::face_to_cell_vertices(face, i)];
+    };
+    // sides 1 and 2 run with their coordinate, sides 0 and 3 against it
+    return face == 1 || face == 2 ? Side{{end(0), end(1)}}
+                                  : Side{{end(1), end(0)}};
   }
 
 

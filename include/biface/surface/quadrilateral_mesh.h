@@ -6,6 +6,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
@@ -65,13 +66,22 @@ namespace Biface
     dealii::Point<3>
     center(const unsigned int cell) const;
 
-    /** The position in @p groups of an edge, a group of several nodes. Throws
-     * InputError that names @p entry, @p text and all edges if there is none of
-     * the name. */
-    unsigned int
-    find_edge(const std::string &entry,
-              const std::string &text,
-              const std::string &name) const;
+    /** The number in the file and the center of a cell, for messages. */
+    std::string
+    cell_in_words(const unsigned int cell) const;
+
+    /** A side of a cell by its number, see dealii::GeometryInfo, in the
+     * direction in which it runs around the cell counterclockwise. */
+    Side
+    side(const unsigned int cell, const unsigned int face) const;
+
+    /** A side whatever its direction: with the lower number first, as in
+     * Group::sides. */
+    static Side
+    without_direction(const Side &side)
+    {
+      return {{std::min(side[0], side[1]), std::max(side[0], side[1])}};
+    }
   };
 
 

@@ -500,9 +500,9 @@ namespace Biface
     auto strains =
       nonlinear_plies(mesh.cells[c])
         .strains_at_vertices(total_strains(state, c), history(state, c));
-    if (const CellTangents *tangents = tangents_of(mesh.cells[c]))
+    if (!mesh.cells[c].geometry.along_lines)
       {
-        const auto E = tangents->strains_at_vertices(total_strains(state, c));
+        const auto E = total_strains_at_vertices(state, c);
         for (unsigned int v = 0; v < 4; ++v)
           strains[v].E = E[v];
       }

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <optional>
 #include <set>
 #include <utility>
 
@@ -30,22 +29,6 @@ namespace Biface
 
   namespace
   {
-    std::string
-    place(const Point<3> &x)
-    {
-      return "(" + number_to_string(x[0]) + ", " + number_to_string(x[1]) +
-             ", " + number_to_string(x[2]) + ")";
-    }
-
-
-    std::string
-    cell_in_words(const QuadrilateralMesh &mesh, const unsigned int cell)
-    {
-      return "the cell " + std::to_string(mesh.cell_numbers[cell]) + " at " +
-             place(mesh.center(cell));
-    }
-
-
     void
     create_triangulation(const QuadrilateralMesh &mesh,
                          Triangulation<2, 3>     &triangulation)
@@ -59,11 +42,14 @@ namespace Biface
     }
 
 
-    /** The unit vectors normal to the planes of symmetry, by the edges that lie
-     * in them. */
+    /** The normals at the nodes, in the planes of symmetry along the edges that
+     * lie in them.
+     * @param group_of_edge the groups of the mesh by MeshNodes::edges. */
     std::vector<Tensor<1, 3>>
-    normals_in_planes(const QuadrilateralMesh        &mesh,
-                      const std::vector<EdgeSupport> &supports)
+    normals_in_planes(const QuadrilateralMesh         &mesh,
+                      const std::vector<EdgeSupport>  &supports,
+                      const MeshNodes                 &nodes,
+                      const std::vector<unsigned int> &group_of_edge)
     {
       std::vector<Tensor<1, 3>> normals = mesh.normals;
       const std::string         entry   = "Supports/Edge supports";
@@ -71,9 +57,10 @@ namespace Biface
         if (support.symmetry)
           {
             const unsigned int d = *support.symmetry;
+            const unsigned int edge =
+              nodes.find_edge(entry, support.text, support.edge);
             for (const unsigned int node :
-                 mesh.groups[mesh.find_edge(entry, support.text, support.edge)]
-                   .nodes)
+                 mesh.groups[group_of_edge[edge]].nodes)
               {
                 Tensor<1, 3> normal = normals[node];
                 normal[d]           = 0;
@@ -83,8 +70,9 @@ namespace Biface
                     entry,
                     support.text,
                     "the shell must be normal to a plane of symmetry, but its "
-                    "normal at " +
-                      place(mesh.nodes[node]) + " is not in the plane");
+                    "normal at (" +
+                      vector_to_string(mesh.nodes[node]) +
+                      ") is not in the plane");
                 normals[node] = normal / normal.norm();
               }
           }
@@ -136,12 +124,12 @@ namespace Biface
           normal /= normal.norm();
           if (!(direction.norm() > 0))
             throw InputError("the entry 'Surface/Mesh/Direction' is zero in " +
-                             cell_in_words(mesh, c) +
+                             mesh.cell_in_words(c) +
                              ", but it must be a direction.");
           if (layup.has_fibers() && !has_direction(normal, direction))
             throw InputError(
               "the entry 'Surface/Mesh/Direction' is normal to the surface in " +
-              cell_in_words(mesh, c) +
+              mesh.cell_in_words(c) +
               ", but the angles of plies count from its projection into the "
               "surface; choose another vector or formulas, such as '-y; x; 0'.");
         }
@@ -169,7 +157,7 @@ namespace Biface
                   "the entry 'Laminate/Plies' places a face at " +
                   number_to_string(height) +
                   " from the reference surface, but there " +
-                  cell_in_words(mesh, c) +
+                  mesh.cell_in_words(c) +
                   " is turned inside out: the surface is curved too sharply.");
           }
     }
@@ -184,23 +172,6 @@ namespace Biface
     };
 
     using Side = QuadrilateralMesh::Side;
-
-    Side
-    sorted(const Side &side)
-    {
-      return {{std::min(side[0], side[1]), std::max(side[0], side[1])}};
-    }
-
-
-    Side
-    side_of(const QuadrilateralMesh &mesh,
-            const unsigned int       cell,
-            const unsigned int       face)
-    {
-      return {
-        {mesh.cells[cell][GeometryInfo<2>::face_to_cell_vertices(face, 0)],
-         mesh.cells[cell][GeometryInfo<2>::face_to_cell_vertices(face, 1)]}};
-    }
   } // namespace
 
 
@@ -265,20 +236,6 @@ namespace Biface
 
 
   void
-  MeshNodes::require_direction(const std::string &entry,
-                               const std::string &text) const
-  {
-    if (place_without_direction)
-      throw InputError(entry,
-                       text,
-                       "the directions v_1 and v_2 have no meaning at " +
-                         place(*place_without_direction) +
-                         ", where 'Surface/Mesh/Direction' is normal to the "
-                         "surface");
-  }
-
-
-  void
   ShellMesh::check_components(const Supports &supports) const
   {
     const auto check = [this](const std::string                   &entry,
@@ -308,9 +265,21 @@ namespace Biface
   void
   ShellMesh::collect_from_file(const MeshFile &file, const Supports &supports)
   {
-    const QuadrilateralMesh        &mesh = *file.mesh;
+    const QuadrilateralMesh &mesh = *file.mesh;
+
+    // groups of lines or several nodes, and the cells of their sides
+    std::map<Side, NamedSide> named_sides;
+    std::vector<unsigned int> group_of_edge;
+    for (unsigned int g = 0; g < mesh.groups.size(); ++g)
+      if (mesh.groups[g].nodes.size() > 1)
+        {
+          for (const Side &side : mesh.groups[g].sides)
+            named_sides[side].edges.push_back(edges.size());
+          edges.push_back({mesh.groups[g].name, {}});
+          group_of_edge.push_back(g);
+        }
     const std::vector<Tensor<1, 3>> normals =
-      normals_in_planes(mesh, supports.named_edges);
+      normals_in_planes(mesh, supports.named_edges, *this, group_of_edge);
     const std::array<double, 2> heights = strips[0].laminate.face_heights();
     if (!(heights[1] - heights[0] < size()))
       throw InputError("the plies of 'Laminate/Plies' are " +
@@ -330,21 +299,11 @@ namespace Biface
       }
     check_components(supports);
 
-    // groups of lines or several nodes, and the cells of their sides
-    std::map<Side, NamedSide> named_sides;
-    std::vector<unsigned int> group_of_edge;
-    for (unsigned int g = 0; g < mesh.groups.size(); ++g)
-      if (mesh.groups[g].nodes.size() > 1)
-        {
-          for (const Side &side : mesh.groups[g].sides)
-            named_sides[side].edges.push_back(edges.size());
-          edges.push_back({mesh.groups[g].name, {}});
-          group_of_edge.push_back(g);
-        }
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       for (unsigned int f = 0; f < 4; ++f)
         {
-          const auto named = named_sides.find(sorted(side_of(mesh, c, f)));
+          const auto named = named_sides.find(
+            QuadrilateralMesh::without_direction(mesh.side(c, f)));
           if (named == named_sides.end())
             continue;
           if (named->second.cell == numbers::invalid_unsigned_int)
@@ -406,8 +365,8 @@ namespace Biface
 
         for (unsigned int f = 0; f < 4; ++f)
           {
-            const auto named =
-              named_sides.find(sorted(side_of(mesh, number, f)));
+            const auto named = named_sides.find(
+              QuadrilateralMesh::without_direction(mesh.side(number, f)));
             if (named == named_sides.end() || named->second.cell != number)
               continue;
             const std::array<unsigned int, 2> ends{

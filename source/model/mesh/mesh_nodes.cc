@@ -179,17 +179,25 @@ namespace Biface
   std::string
   MeshNodes::place_in_words(const Node &node) const
   {
-    std::string text;
-    const auto  add = [&text](const double value) {
-      text += (text.empty() ? "(" : ", ") + number_to_string(value);
-    };
-    if (surface->has_chart())
-      for (unsigned int a = 0; a < 2; ++a)
-        add(node.alpha[a] / surface->coordinate_unit(a));
-    else
-      for (unsigned int d = 0; d < 3; ++d)
-        add(node.surface.position[d]);
-    return text + ")";
+    if (!surface->has_chart())
+      return "(" + vector_to_string(node.surface.position) + ")";
+    return "(" + number_to_string(node.alpha[0] / surface->coordinate_unit(0)) +
+           ", " +
+           number_to_string(node.alpha[1] / surface->coordinate_unit(1)) + ")";
+  }
+
+
+  void
+  MeshNodes::require_direction(const std::string &entry,
+                               const std::string &text) const
+  {
+    if (place_without_direction)
+      throw InputError(entry,
+                       text,
+                       "the directions v_1 and v_2 have no meaning at (" +
+                         vector_to_string(*place_without_direction) +
+                         "), where 'Surface/Mesh/Direction' is normal to the "
+                         "surface");
   }
 
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include <biface/base/errors.h>
 #include <biface/input/entry_declarations.h>
@@ -187,6 +188,18 @@ namespace Biface
   }
 
 
+  namespace
+  {
+    /** The name and the support of an item of a list. */
+    std::pair<std::string, std::string>
+    split_support(const std::string &entry, const std::string &item)
+    {
+      return split_named(
+        entry, item, "each support must have the form 'name: support'");
+    }
+  } // namespace
+
+
   std::vector<EdgeSupport>
   parse_edge_supports(const std::string &entry, const std::string &text)
   {
@@ -195,10 +208,7 @@ namespace Biface
     std::vector<EdgeSupport> supports;
     for (const std::string &item : split_list(entry, text))
       {
-        const auto  named = split_named(entry,
-                                       item,
-                                       "each support must have the form 'name: "
-                                        "support'");
+        const auto  named = split_support(entry, item);
         EdgeSupport support{named.first, item, {}, {}};
         const auto  plane =
           std::find(planes.begin(), planes.end(), named.second);
@@ -228,10 +238,7 @@ namespace Biface
     std::vector<PointSupport> supports;
     for (const std::string &item : split_list(entry, text))
       {
-        const auto named = split_named(entry,
-                                       item,
-                                       "each support must have the form 'name: "
-                                       "support'");
+        const auto named = split_support(entry, item);
         supports.push_back(
           {named.first, parse_support(entry, named.second, 3)});
       }

@@ -33,14 +33,12 @@ namespace Biface
 
     /** The nodes of all ranks by number, on the first rank. */
     std::vector<FaceNode>
-    gather_nodes(const ContactPair &pair,
-                 const State       &state,
-                 const Loads       &loads)
+    gather_nodes(const ContactPair  &pair,
+                 const State        &state,
+                 const PlacedBody   &placed,
+                 const ContactState &zone)
     {
-      const ShellMesh   &mesh   = pair.mesh;
-      const PlacedBody  &placed = *pair.body(loads);
-      const ContactState zone =
-        contact_at_nodes(mesh, state, pair.number, placed);
+      const ShellMesh &mesh = pair.mesh;
       // on the first rank, since lines of the mesh cross all ranks
       constexpr unsigned int n_columns = 7;
       std::vector<double>    values;
@@ -80,14 +78,11 @@ namespace Biface
 
     /** See Footprint::max_pressure; on the first rank. */
     double
-    max_recovered_pressure(const ContactPair &pair,
-                           const State       &state,
-                           const Loads       &loads,
-                           const std::size_t  n_nodes)
+    max_recovered_pressure(const ContactPair  &pair,
+                           const ContactState &zone,
+                           const std::size_t   n_nodes)
     {
-      const ShellMesh   &mesh = pair.mesh;
-      const ContactState zone =
-        contact_at_nodes(mesh, state, pair.number, *pair.body(loads));
+      const ShellMesh       &mesh      = pair.mesh;
       constexpr unsigned int n_columns = 4;
       // the value at a vertex of the dual functions of the vertices, in one
       // dimension
@@ -307,16 +302,14 @@ namespace Biface
     /** The same on a mesh without lines, on all ranks: a node in contact covers
      * its cells up to halfway to its neighbors. */
     Footprint
-    measure_by_cells(const ContactPair &pair,
-                     const State       &state,
-                     const Loads       &loads)
+    measure_by_cells(const ContactPair  &pair,
+                     const State        &state,
+                     const PlacedBody   &placed,
+                     const ContactState &zone)
     {
-      const ShellMesh   &mesh   = pair.mesh;
-      const PlacedBody  &placed = *pair.body(loads);
-      const ContactState zone =
-        contact_at_nodes(mesh, state, pair.number, placed);
-      const auto directions = directions_of_zone(placed.body.direction());
-      Footprint  result;
+      const ShellMesh &mesh       = pair.mesh;
+      const auto       directions = directions_of_zone(placed.body.direction());
+      Footprint        result;
       std::array<Range, 2> extents;
       for (const Cell &cell : mesh.wall_elements())
         {
@@ -365,17 +358,19 @@ namespace Biface
     if (!pair.body(loads) || count_active(pair, state) == 0)
       return result;
 
-    const ShellMesh &mesh = pair.mesh;
+    const ShellMesh   &mesh   = pair.mesh;
+    const PlacedBody  &placed = *pair.body(loads);
+    const ContactState zone =
+      contact_at_nodes(mesh, state, pair.number, placed);
     if (!mesh.grid.has_lines())
-      result = measure_by_cells(pair, state, loads);
-    const auto   nodes = gather_nodes(pair, state, loads);
+      result = measure_by_cells(pair, state, placed, zone);
+    const auto   nodes = gather_nodes(pair, state, placed, zone);
     const double max_pressure =
-      max_recovered_pressure(pair, state, loads, nodes.size());
+      max_recovered_pressure(pair, zone, nodes.size());
     if (Utilities::MPI::this_mpi_process(mesh.communicator) == 0)
       {
         if (mesh.grid.has_lines())
-          result =
-            measure(mesh.grid, nodes, pair.body(loads)->body.direction());
+          result = measure(mesh.grid, nodes, placed.body.direction());
         result.max_pressure = max_pressure;
         // no node has all its neighbors in contact
         if (max_pressure == 0)

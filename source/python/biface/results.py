@@ -148,6 +148,11 @@ class Results:
         return self.directory / f"{kind}-{int(step or self.step):04d}.{ending}"
 
     @property
+    def has_coordinates(self) -> bool:
+        """Whether the surface has coordinates; a mesh from a file has none."""
+        return self.setting("Surface/Type") != "mesh"
+
+    @property
     def has_points_in_cells(self) -> bool:
         """Whether points in the cells make contact instead of the nodes."""
         return self.setting("Contact/Points in cells", "0") != "0"

@@ -52,7 +52,7 @@ def report(run):
 def find_footprint(run):
     """The footprint of the step, or None without contact, without its file, or on
     a mesh without coordinate lines, between which its cells are found."""
-    if run.setting("Surface/Type") == "mesh":
+    if not run.has_coordinates:
         return None
     contact = run.contact() if run.is_contact else None
     if contact is None:

@@ -217,7 +217,7 @@ def history_rows(run, columns):
 def place_in_history(run, column):
     """Where a maximum of the history is, from the columns beside it."""
     ply = f"ply {plain_number(run.last(column + '_ply'))}"
-    if run.setting("Surface/Type") == "mesh":
+    if not run.has_coordinates:
         return ply
     return (f"α<sub>1</sub> = {plain_number(run.last(column + '_alpha_1'))}, "
             f"α<sub>2</sub> = {plain_number(run.last(column + '_alpha_2'))}, {ply}")
@@ -286,7 +286,7 @@ def place_of_peak(run):
     if contact is None or len(contact) == 0:
         return ""
     at = np.argmax(contact["pressure"])
-    if run.setting("Surface/Type") == "mesh":
+    if not run.has_coordinates:
         return ", x, y, z = " + ", ".join(plain_number(contact[i][at]) for i in "xyz")
     return (f", α<sub>1</sub> = {plain_number(contact['alpha_1'][at])}, "
             f"α<sub>2</sub> = {plain_number(contact['alpha_2'][at])}")
