@@ -137,7 +137,7 @@ namespace Biface
         for (unsigned int k = 0; k < Quadrilateral::n_vectors; ++k)
           cell[k] += cell_change[k];
         if (with_normal_thickness())
-          shear = NormalThickness::shear(strain_of_directors());
+          shear = NormalThickness::shear(strain_of_directors(), tangents());
         return;
       }
     for (unsigned int q = 0; q < 4; ++q)
@@ -155,7 +155,7 @@ namespace Biface
         director += director_change;
       }
     if (with_normal_thickness())
-      shear = NormalThickness::shear(strain_of_directors());
+      shear = NormalThickness::shear(strain_of_directors(), tangents());
   }
 
 
@@ -256,7 +256,7 @@ namespace Biface
           quadrilateral.physical(quadrilateral.products(cell, vectors_of(dV)));
         if (with_normal_thickness())
           NormalThickness::subtract_products(
-            shear, NormalThickness::shear(E), 1, E);
+            shear, NormalThickness::shear(E, tangents()), 1, E);
         return E;
       }
 
@@ -277,7 +277,7 @@ namespace Biface
         geometry, director, MeanDirector::change(geometry, variation), 2, E);
     if (with_normal_thickness())
       NormalThickness::subtract_products(
-        shear, NormalThickness::shear(E), 1, E);
+        shear, NormalThickness::shear(E, tangents()), 1, E);
     return E;
   }
 
@@ -350,7 +350,7 @@ namespace Biface
   {
     Modes::Vector H = resultants;
     if (with_normal_thickness())
-      H += NormalThickness::resultants(shear, resultants + H_0);
+      H += NormalThickness::resultants(shear, resultants + H_0, tangents());
 
     // initial resultants do work on the nonlinear part of the strains only: in
     // the undeformed shape, constant forces balance them
@@ -418,10 +418,11 @@ namespace Biface
     Modes::Vector       H     = resultants;
     if (with_normal_thickness())
       {
-        H += NormalThickness::resultants(shear, resultants);
+        H += NormalThickness::resultants(shear, resultants, tangents());
         // only modes of shear
         force += internal_force(
-          NormalThickness::resultants(NormalThickness::shear(dE), resultants),
+          NormalThickness::resultants(
+            NormalThickness::shear(dE, tangents()), resultants, tangents()),
           Modes::Vector());
       }
 
@@ -1049,16 +1050,20 @@ namespace Biface
     for (auto &rows : G)
       for (auto &row : rows)
         row.fill(0);
-    NormalThickness::for_shear_modes([&](const unsigned int  a,
-                                         const unsigned int  i,
-                                         const Modes::Group &group) {
-      for (unsigned int g = 0; g < Modes::n_gauss_points; ++g)
-        {
-          const double value = Modes::value_at_gauss_point(group, g) / 2;
-          for (unsigned int k = 0; k < n_dofs; ++k)
-            G[g][a][k] += value * B[i][k];
-        }
-    });
+    NormalThickness::for_shear_modes(
+      tangents(),
+      [&](const unsigned int  a,
+          const unsigned int  i,
+          const Modes::Group &group,
+          const double        of_mode) {
+        for (unsigned int g = 0; g < Modes::n_gauss_points; ++g)
+          {
+            const double value =
+              of_mode * Modes::value_at_gauss_point(group, g) / 2;
+            for (unsigned int k = 0; k < n_dofs; ++k)
+              G[g][a][k] += value * B[i][k];
+          }
+      });
   }
 
 
@@ -1084,18 +1089,22 @@ namespace Biface
                                           const Modes::Vector &H,
                                           StrainMatrix        &DB) const
   {
-    NormalThickness::for_shear_modes([&](const unsigned int  a,
-                                         const unsigned int  i,
-                                         const Modes::Group &group) {
-      for (unsigned int g = 0; g < Modes::n_gauss_points; ++g)
-        {
-          const double factor = geometry.weight / (2 * Modes::n_gauss_points) *
-                                Modes::value_at_gauss_point(group, g) *
-                                NormalThickness::thickness_resultant(H, g);
-          for (unsigned int k = 0; k < n_dofs; ++k)
-            DB[i][k] -= factor * G[g][a][k];
-        }
-    });
+    NormalThickness::for_shear_modes(
+      tangents(),
+      [&](const unsigned int  a,
+          const unsigned int  i,
+          const Modes::Group &group,
+          const double        of_mode) {
+        for (unsigned int g = 0; g < Modes::n_gauss_points; ++g)
+          {
+            const double factor = of_mode * geometry.weight /
+                                  (2 * Modes::n_gauss_points) *
+                                  Modes::value_at_gauss_point(group, g) *
+                                  NormalThickness::thickness_resultant(H, g);
+            for (unsigned int k = 0; k < n_dofs; ++k)
+              DB[i][k] -= factor * G[g][a][k];
+          }
+      });
   }
 
 
@@ -1108,7 +1117,7 @@ namespace Biface
   {
     Modes::Vector H = resultants;
     if (with_normal_thickness())
-      H += NormalThickness::resultants(shear, resultants);
+      H += NormalThickness::resultants(shear, resultants, tangents());
 
     alignas(64) StrainMatrix B;
     SecondVariation          variation;

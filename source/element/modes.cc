@@ -53,19 +53,34 @@ namespace Biface
         row[t] = matrix[s][t];
       return row;
     }
+
+
+    /** The matrix of a laminate between the strains of a group and those that
+     * it lacks, along the tangents of a cell unless they are null. */
+    Resultants::Matrix
+    law_of_group(const unsigned int        m,
+                 const Resultants::Matrix &stiffness,
+                 const CellTangents       *tangents)
+    {
+      return tangents && (m == 1 || m == 2)
+               ? tangents->in_basis(stiffness, m - 1)
+               : stiffness;
+    }
   } // namespace
 
 
   ModeStiffness::ModeStiffness(const Resultants::Matrix &stiffness,
-                               const StrainSampling      sampling)
+                               const StrainSampling      sampling,
+                               const CellTangents       *tangents)
     : with_twist(sampling == StrainSampling::means)
   {
-    for (auto &matrix : D)
+    for (unsigned int m = 0; m < D.size(); ++m)
       {
+        const Resultants::Matrix law = law_of_group(m, stiffness, tangents);
         for (unsigned int s = 0; s < Resultants::n; ++s)
           for (unsigned int t = 0; t < Resultants::n; ++t)
-            matrix[s][t] = stiffness[s][t];
-        set_twist(matrix);
+            D[m][s][t] = law[s][t];
+        set_twist(D[m]);
       }
   }
 
@@ -92,13 +107,13 @@ namespace Biface
   }
 
 
-  CellTangents::Components
+  Modes::Components
   CellTangents::strains(const unsigned int a) const
   {
     using namespace Resultants;
     using Modes::twist;
 
-    Components result;
+    Modes::Components result;
     for (unsigned int face = 0; face < 2; ++face)
       {
         const auto  &t    = faces[face];
@@ -120,15 +135,15 @@ namespace Biface
   }
 
 
-  CellTangents::Components
+  Modes::Components
   CellTangents::resultants(const unsigned int a) const
   {
     using namespace Resultants;
     using Modes::twist;
 
     // T_H differs from T_E by the shear, of which a strain counts twice
-    const Components of_strains  = strains(a);
-    Components       of_stresses = of_strains;
+    const Modes::Components of_strains  = strains(a);
+    Modes::Components       of_stresses = of_strains;
     for (Resultants::Vector &column : of_stresses)
       for (unsigned int face = 0; face < 2; ++face)
         column[tangential(2, face)] /= 2;
@@ -142,7 +157,7 @@ namespace Biface
                      of_stresses[group.strains[j]] /
                      (group.strains[i] == twist ? 2 : 1);
     work.gauss_jordan();
-    Components result;
+    Modes::Components result;
     for (unsigned int i = 0; i < group.size; ++i)
       for (unsigned int j = 0; j < group.size; ++j)
         result[group.strains[i]] += work(j, i) * of_stresses[group.strains[j]];
@@ -150,83 +165,110 @@ namespace Biface
   }
 
 
-  namespace
+  std::array<Resultants::Vector, Resultants::n>
+  CellTangents::basis(const unsigned int a) const
   {
-    /** The values of modes at the vertices, where unit modes of the groups that
-     * vary in one direction have given components. */
-    std::array<Resultants::Vector, 4>
-    at_vertices(const Modes::Vector                           &modes,
-                const std::array<CellTangents::Components, 2> &components)
-    {
-      std::array<Resultants::Vector, 4> values;
-      for (unsigned int m = 0; m < Modes::groups.size(); ++m)
-        {
-          const Modes::Group &group = Modes::groups[m];
-          Resultants::Vector  of_group;
-          for (unsigned int i = 0; i < group.size; ++i)
-            {
-              const double       mode = modes[group.first_mode + i];
-              const unsigned int s    = group.strains[i];
-              if (m == 1 || m == 2)
-                of_group += mode * components[m - 1][s];
-              else
-                of_group[s] += mode;
-            }
-          for (unsigned int v = 0; v < 4; ++v)
-            values[v] += group.value_at_vertex(v) * of_group;
-        }
-      return values;
-    }
-  } // namespace
+    using namespace Resultants;
+
+    std::array<Resultants::Vector, Resultants::n> result;
+    const Modes::Components                       kept = strains(a);
+    const unsigned int                            b    = 1 - a;
+    Resultants::Vector                            shear;
+    for (unsigned int face = 0; face < 2; ++face)
+      {
+        Tensor<2, 2> t;
+        for (unsigned int c = 0; c < 2; ++c)
+          t[c] = faces[face][c];
+        // the dual vectors are its columns
+        const Tensor<2, 2> dual     = invert(t);
+        result[tangential(a, face)] = kept[tangential(a, face)];
+        result[transverse(a, face)] = kept[transverse(a, face)];
+        for (unsigned int i = 0; i < 2; ++i)
+          {
+            result[tangential(b, face)][tangential(i, face)] =
+              dual[i][b] * dual[i][b];
+            shear[tangential(i, face)] = dual[i][0] * dual[i][1];
+            // a strain that does no work with the shear of the group
+            result[transverse(b, face)][transverse(i, face)] =
+              (i == 0 ? -middle[a][1] : middle[a][0]);
+          }
+        result[tangential(b, face)][tangential(2, face)] =
+          2 * dual[0][b] * dual[1][b];
+        shear[tangential(2, face)] =
+          dual[0][0] * dual[1][1] + dual[0][1] * dual[1][0];
+      }
+    result[inner_shear]          = (shear - kept[Modes::twist]) / 2;
+    result[outer_shear]          = (shear + kept[Modes::twist]) / 2;
+    result[thickness][thickness] = 1;
+    return result;
+  }
+
+
+  Resultants::Matrix
+  CellTangents::in_basis(const Resultants::Matrix &stiffness,
+                         const unsigned int        a) const
+  {
+    const auto         strains = basis(a);
+    Resultants::Matrix result;
+    for (unsigned int t = 0; t < Resultants::n; ++t)
+      {
+        const Resultants::Vector H = stiffness * strains[t];
+        for (unsigned int s = 0; s < Resultants::n; ++s)
+          result[s][t] = strains[s] * H;
+      }
+    return result;
+  }
+
+
+  std::array<Resultants::Vector, 4>
+  Modes::at_vertices(const Vector &modes, const ComponentsOfGroups &along)
+  {
+    std::array<Resultants::Vector, 4> values;
+    for (unsigned int m = 0; m < groups.size(); ++m)
+      {
+        const Group       &group = groups[m];
+        Resultants::Vector of_group;
+        for (unsigned int i = 0; i < group.size; ++i)
+          {
+            const double       mode = modes[group.first_mode + i];
+            const unsigned int s    = group.strains[i];
+            if (m == 1 || m == 2)
+              of_group += mode * along[m - 1][s];
+            else
+              of_group[s] += mode;
+          }
+        for (unsigned int v = 0; v < 4; ++v)
+          values[v] += group.value_at_vertex(v) * of_group;
+      }
+    return values;
+  }
 
 
   std::array<Resultants::Vector, 4>
   CellTangents::strains_at_vertices(const Modes::Vector &E) const
   {
-    return at_vertices(E, {{strains(0), strains(1)}});
+    return Modes::at_vertices(E, strains());
   }
 
 
   std::array<Resultants::Vector, 4>
   CellTangents::resultants_at_vertices(const Modes::Vector &H) const
   {
-    return at_vertices(H, {{resultants(0), resultants(1)}});
+    return Modes::at_vertices(H, {{resultants(0), resultants(1)}});
   }
 
 
   void
-  ModeStiffness::turn(const CellTangents &tangents)
-  {
-    using Modes::twist;
-
-    for (unsigned int a = 0; a < 2; ++a)
-      {
-        const Modes::Group            &group   = Modes::groups[1 + a];
-        const CellTangents::Components strains = tangents.strains(a);
-        const auto                     law     = D[1 + a];
-        for (unsigned int i = 0; i < group.size; ++i)
-          for (unsigned int j = 0; j < group.size; ++j)
-            {
-              const unsigned int s = group.strains[i], t = group.strains[j];
-              double             sum = 0;
-              for (unsigned int k = 0; k < Resultants::n; ++k)
-                for (unsigned int l = 0; l < Resultants::n; ++l)
-                  sum += strains[s][k] * law[k][l] * strains[t][l];
-              // the resultant of the twist is the mean of the faces
-              D[1 + a][s][t] = (s == twist ? sum / 2 : sum);
-            }
-      }
-  }
-
-
-  void
-  ModeStiffness::release_thickness_strain(const Resultants::Matrix &softest)
+  ModeStiffness::release_thickness_strain(
+    const Resultants::Matrix &softest_of_axes, const CellTangents *tangents)
   {
     constexpr unsigned int thickness = Resultants::thickness;
 
-    const Tangential by_thickness = tangential_row(softest, thickness);
     for (unsigned int m = 1; m < Modes::groups.size(); ++m)
       {
+        const Resultants::Matrix softest =
+          law_of_group(m, softest_of_axes, tangents);
+        const Tangential by_thickness = tangential_row(softest, thickness);
         // the strains f that the group lacks, with D_ff y = D_f3, section 4 of
         // doc/theory.md
         const std::vector<Tangential> missing = missing_strains(m, with_twist);

@@ -36,24 +36,23 @@ namespace Biface
 
 
     using AtPoints = std::array<Resultants::Vector, n_gauss_points>;
-
-    AtPoints
-    at_gauss_points(const Modes::Vector &E)
-    {
-      AtPoints strains;
-      for (unsigned int g = 0; g < n_gauss_points; ++g)
-        strains[g] = Modes::at_gauss_point(E, g);
-      return strains;
-    }
   } // namespace
 
 
   NonlinearPlies::NonlinearPlies(const Laminate      &laminate,
-                                 const StrainSampling sampling)
+                                 const StrainSampling sampling,
+                                 const CellTangents  *tangents)
     : points(laminate.ply_points())
     , cords(laminate.cord_points())
     , with_twist(sampling == StrainSampling::means)
   {
+    if (tangents)
+      {
+        this->tangents = *tangents;
+        if (!all_linear())
+          along = std::make_shared<const Modes::ComponentsOfGroups>(
+            tangents->strains());
+      }
     // in the order in which for_relaxing() passes the stresses: those of
     // points, of cords, of thickness strains that vary
     if (points)
@@ -81,8 +80,9 @@ namespace Biface
         }
     // at small strains the thickness strains that vary must have the linear
     // law, or nearly incompressible layers lock
-    ModeStiffness released(laminate.stiffness(), sampling);
-    released.release_thickness_strain(laminate.stiffness_of_slack_cords());
+    ModeStiffness released(laminate.stiffness(), sampling, tangents);
+    released.release_thickness_strain(laminate.stiffness_of_slack_cords(),
+                                      tangents);
     for (unsigned int m = 1; m < Modes::groups.size(); ++m)
       {
         const Modes::Group &group = Modes::groups[m];
@@ -100,6 +100,38 @@ namespace Biface
   }
 
 
+  std::array<Resultants::Vector, n_gauss_points>
+  NonlinearPlies::at_gauss_points(const Modes::Vector &E) const
+  {
+    AtPoints strains;
+    for (unsigned int g = 0; g < n_gauss_points; ++g)
+      strains[g] = Modes::at_gauss_point(E, g, of_tangents());
+    return strains;
+  }
+
+
+  template <typename Function>
+  void
+  NonlinearPlies::for_mean(const unsigned int m,
+                           const unsigned int s,
+                           const Function    &function) const
+  {
+    if (!along || m == 3 || s == Resultants::thickness)
+      {
+        function(s, 1.);
+        return;
+      }
+    const unsigned int face =
+      (s == Resultants::tangential(m - 1, Resultants::inner)
+         ? Resultants::inner
+         : Resultants::outer);
+    const Tensor<1, 2> &t = tangents->faces[face][m - 1];
+    function(Resultants::tangential(0, face), t[0] * t[0]);
+    function(Resultants::tangential(1, face), t[1] * t[1]);
+    function(Resultants::tangential(2, face), t[0] * t[1]);
+  }
+
+
   NonlinearPlies::Variation
   NonlinearPlies::variation(const Modes::Vector &E, const unsigned int m) const
   {
@@ -110,13 +142,20 @@ namespace Biface
           // E^m_s and the squared mean stretch
           const bool         is_twist = (s == Modes::twist);
           const unsigned int mode     = Modes::mode_of[m][s];
-          const double       x = E[mode], C = is_twist ? 1. : 1 + 2 * E[s];
-          const double       factor = varying_parts[m][s] / C;
+          const double       x        = E[mode];
+          double             C        = 1;
+          if (!is_twist)
+            for_mean(m, s, [&](const unsigned int t, const double of_t) {
+              C += 2 * of_t * E[t];
+            });
+          const double factor = varying_parts[m][s] / C;
           result.value += factor * x;
           result.gradient[mode] += factor;
           if (is_twist)
             continue;
-          result.gradient[s] -= 2 * factor * x / C;
+          for_mean(m, s, [&](const unsigned int t, const double of_t) {
+            result.gradient[t] -= 2 * factor * x / C * of_t;
+          });
           result.mixed[s]   = -2 * factor / C;
           result.by_mean[s] = 8 * factor * x / (C * C);
         }
@@ -198,9 +237,13 @@ namespace Biface
             if (varying_parts[m][s] != 0)
               {
                 const unsigned int mode = Modes::mode_of[m][s];
-                (*stiffness)[s][s] += H * eta.by_mean[s];
-                (*stiffness)[s][mode] += H * eta.mixed[s];
-                (*stiffness)[mode][s] += H * eta.mixed[s];
+                for_mean(m, s, [&](const unsigned int t, const double of_t) {
+                  for_mean(m, s, [&](const unsigned int u, const double of_u) {
+                    (*stiffness)[t][u] += H * eta.by_mean[s] * of_t * of_u;
+                  });
+                  (*stiffness)[t][mode] += H * eta.mixed[s] * of_t;
+                  (*stiffness)[mode][t] += H * eta.mixed[s] * of_t;
+                });
               }
       }
   }
@@ -244,6 +287,7 @@ namespace Biface
                 C = at.C;
                 Modes::for_parts_at_gauss_point(g,
                                                 with_twist,
+                                                of_tangents(),
                                                 [&](const unsigned int m,
                                                     const unsigned int s,
                                                     const double       value) {
@@ -286,6 +330,7 @@ namespace Biface
         Modes::for_parts_at_gauss_point(
           g,
           with_twist,
+          of_tangents(),
           [&](const unsigned int m, const unsigned int s, const double value) {
             for (unsigned int t = 0; t < Resultants::n; ++t)
               by_mode[t][m] += value / n_gauss_points * C[t][s];
@@ -293,6 +338,7 @@ namespace Biface
         Modes::for_parts_at_gauss_point(
           g,
           with_twist,
+          of_tangents(),
           [&](const unsigned int m, const unsigned int s, const double value) {
             for (unsigned int n = 0; n < Modes::n; ++n)
               (*stiffness)[m][n] += value * by_mode[s][n];
@@ -304,8 +350,9 @@ namespace Biface
       for (unsigned int m = 0; m < Modes::n; ++m)
         for (unsigned int n = 0; n < Modes::n; ++n)
           (*stiffness)[m][n] += f[m] * f[n] / compliance;
-    resultants = (loaded ? Modes::from_gauss_points(at_points, with_twist)
-                         : Modes::Vector());
+    resultants =
+      (loaded ? Modes::from_gauss_points(at_points, with_twist, of_tangents())
+              : Modes::Vector());
     add_varying(E, stresses, resultants, stiffness);
     return soft;
   }
@@ -335,7 +382,8 @@ namespace Biface
   NonlinearPlies::strains_at_vertices(const Modes::Vector  &E,
                                       const HistoryOfPlies &history) const
   {
-    const auto                    at_vertices = Modes::at_vertices(E);
+    const auto at_vertices =
+      tangents ? tangents->strains_at_vertices(E) : Modes::at_vertices(E);
     std::array<StrainsOfPlies, 4> strains;
     const RelaxedStresses         stresses = relaxed(history);
     for (unsigned int v = 0; v < 4; ++v)
@@ -673,7 +721,7 @@ namespace Biface
                                    const HistoryOfPlies &history)
     : plies(plies), steps(plies.steps(history))
   {
-    const AtPoints        places   = at_gauss_points(E);
+    const AtPoints        places   = plies.at_gauss_points(E);
     const RelaxedStresses stresses = plies.relaxed(history);
     if (plies.points)
       {
@@ -719,7 +767,7 @@ namespace Biface
                                             const std::vector<double> &added,
                                             std::vector<double> &stresses) const
   {
-    const AtPoints                    strains = at_gauss_points(dE);
+    const AtPoints                    strains = plies.at_gauss_points(dE);
     std::vector<PointStrains::Vector> at_points;
     if (points)
       points->elastic_stresses(strains, added_at_points(added), at_points);
@@ -785,7 +833,8 @@ namespace Biface
                          make_array_view(sums.begin(), sums.end()));
     for (unsigned int g = 0; g < n_gauss_points; ++g)
       sums[g] += of_cords[g];
-    Modes::Vector       H = Modes::from_gauss_points(sums, plies.with_twist);
+    Modes::Vector H =
+      Modes::from_gauss_points(sums, plies.with_twist, plies.of_tangents());
     const Modes::Vector weights = weights_of_modes();
     for (unsigned int m = 0; m < varying.size(); ++m)
       for (unsigned int i = 0; i < Modes::n; ++i)
@@ -845,7 +894,9 @@ namespace Biface
           for (unsigned int s = 0; s < Resultants::n_tangential; ++s)
             changes[g][s] += cord.thickness * change * cord.direction[s];
         }
-    return any ? H + Modes::from_gauss_points(changes, with_twist) : H;
+    return any
+             ? H + Modes::from_gauss_points(changes, with_twist, of_tangents())
+             : H;
   }
 
 
@@ -865,7 +916,8 @@ namespace Biface
     std::array<double, n_gauss_points> sums{};
     for (unsigned int g = 0; g < n_gauss_points; ++g)
       {
-        const Resultants::Vector strain = Modes::at_gauss_point(E, g);
+        const Resultants::Vector strain =
+          Modes::at_gauss_point(E, g, of_tangents());
         for (const CordPoint &cord : cords)
           if (cord.law->is_slack(strain_along(cord, strain)))
             sums[g] += cord.thickness;

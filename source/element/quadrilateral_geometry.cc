@@ -85,6 +85,13 @@ namespace Biface
   } // namespace
 
 
+  const CellTangents *
+  ElementGeometry::tangents() const
+  {
+    return along_lines ? nullptr : &quadrilateral->get_tangents();
+  }
+
+
   std::shared_ptr<const Quadrilateral>
   make_quadrilateral(const QuadrilateralPoints &points,
                      const StrainSampling       sampling,

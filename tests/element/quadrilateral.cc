@@ -68,6 +68,7 @@ namespace
       options.soft_warp         = (sampling == StrainSampling::means);
       geometry.sampling         = sampling;
       geometry.interpolation    = Interpolation::Cartesian;
+      geometry.along_lines      = false;
       geometry.thickness_strain = ThicknessStrain::vertices;
       geometry.quadrilateral =
         std::make_shared<const Quadrilateral>(shape, options);
@@ -82,9 +83,7 @@ namespace
       for (unsigned int i = 0; i < Resultants::n; ++i)
         for (unsigned int j = 0; j < Resultants::n; ++j)
           D[i][j] = numbers[Resultants::n * i + j];
-      ModeStiffness law(D, geometry.sampling);
-      law.turn(geometry.quadrilateral->get_tangents());
-      return law;
+      return ModeStiffness(D, geometry.sampling, geometry.tangents());
     }
 
     /** The nodal displacements of the reference. */
@@ -373,8 +372,7 @@ namespace
           D[tangential(2, p)][tangential(2, r)] = of_faces * G;
         }
     D[Resultants::thickness][Resultants::thickness] = E;
-    ModeStiffness stiffness(D, sampling);
-    stiffness.turn(cell.geometry.quadrilateral->get_tangents());
+    const ModeStiffness stiffness(D, sampling, cell.geometry.tangents());
     const Modes::Vector strain = MixedElement(cell.geometry, V).strain();
     return cell.geometry.quadrilateral->area() *
            Modes::mean_product(stiffness.resultants(strain), strain) / 2;

@@ -154,8 +154,8 @@ namespace
               for (unsigned int face = 0; face < 2; ++face)
                 add_face_displacement(faces[face], q, face, V);
             }
-          ModeStiffness stiffness(laminate.stiffness(), sampling);
-          stiffness.turn(geometry.quadrilateral->get_tangents());
+          const ModeStiffness stiffness(
+            laminate.stiffness(), sampling, geometry.tangents());
           const MixedElement at_rest(geometry, MixedElement::NodalVector()),
             deformed(geometry, V);
           const Modes::Vector E =

@@ -5,9 +5,11 @@
 // law, with other plies, every element and every law of the transverse shear.
 // At small strains they have the resultants of the linear law. So they do in a
 // step in which stresses relax, where they are constant without a change of
-// strains and time.
+// strains and time. On a skewed cell they do not depend on the direction from
+// which angles count.
 
 #include <biface/element/nonlinear_plies.h>
+#include <biface/element/quadrilateral_geometry.h>
 #include <biface/laminate/layup.h>
 #include <biface/laminate/material_parameters.h>
 
@@ -164,13 +166,90 @@ namespace
   }
 
 
+  /** A warped cell, the direction of whose material is turned by an angle. */
+  ElementGeometry
+  skewed_cell(const Laminate       &laminate,
+              const ThicknessStrain thickness_strain,
+              const double          angle = 0)
+  {
+    QuadrilateralPoints               points;
+    const std::array<Tensor<1, 3>, 4> positions{{Tensor<1, 3>({0, 0, 0}),
+                                                 Tensor<1, 3>({9, 2, 1}),
+                                                 Tensor<1, 3>({-2, 7, 0.5}),
+                                                 Tensor<1, 3>({11, 10, 0})}};
+    for (unsigned int q = 0; q < 4; ++q)
+      {
+        SurfacePoint &point = points.vertices[q];
+        point.position      = Point<3>(positions[q]);
+        Tensor<1, 3> normal({0.1 * some_number(q), -0.05 * q, 1});
+        point.frame[2] = normal / normal.norm();
+        point.frame[0] = cross_product_3d(Tensor<1, 3>({0, 1, 0}), normal);
+        point.frame[0] /= point.frame[0].norm();
+        point.frame[1]    = cross_product_3d(point.frame[2], point.frame[0]);
+        points.heights[q] = laminate.face_heights();
+      }
+    points.direction = Tensor<1, 3>({-0.4, 1, 0});
+    // in the plane of the cell
+    const auto frame =
+      make_quadrilateral(points, StrainSampling::means, thickness_strain)
+        ->material_frame();
+    points.direction = std::cos(angle) * frame[0] + std::sin(angle) * frame[1];
+    return quadrilateral_geometry(
+      points, StrainSampling::means, thickness_strain);
+  }
+
+
+  /** The force and the tangent of a cell do not depend on the direction from
+   * which the angles of plies count. */
+  void
+  test_direction(const ThicknessStrain thickness_strain)
+  {
+    MixedElement::NodalMatrix K[2]{};
+    NodalVector               force[2];
+    const NodalVector         V = some_vector<24>(-0.2, 1);
+    for (unsigned int k = 0; k < 2; ++k)
+      {
+        const Laminate laminate =
+          layup(k == 0 ? "cord: 1 @ 30, cords: 1 @ -30, Yeoh: 1 @ 0"
+                       : "cord: 1 @ -5, cords: 1 @ -65, Yeoh: 1 @ 10",
+                "5/6",
+                ThicknessIntegrals::plate,
+                thickness_strain == ThicknessStrain::normal,
+                false)
+            .laminate(0);
+        const ElementGeometry geometry = skewed_cell(
+          laminate, thickness_strain, k == 0 ? 0 : 35 * numbers::PI / 180);
+        const NonlinearPlies law(
+          laminate, StrainSampling::means, geometry.tangents());
+        const MixedElement        element(geometry, V);
+        NonlinearPlies::Stiffness stiffness;
+        law.stiffness(element.strain(), stiffness);
+        const Modes::Vector H = law.resultants(element.strain());
+        force[k]              = element.internal_force(H, Modes::Vector());
+        element.add_tangent(
+          ModeStiffness(Resultants::Matrix(), StrainSampling::means),
+          H,
+          K[k],
+          &stiffness);
+      }
+    check_small(
+      "  forces", (force[0] - force[1]).norm(), 1e-12, force[0].norm());
+    double error = 0;
+    for (unsigned int i = 0; i < 24; ++i)
+      for (unsigned int j = 0; j < 24; ++j)
+        error = std::max(error, std::abs(K[0][i][j] - K[1][i][j]));
+    check_small("  tangents", error, 1e-12, maximum_entry(K[0]));
+  }
+
+
   void
   test(const std::string       &plies,
        const std::string       &shear,
        const ThicknessIntegrals integrals,
        const StrainSampling     sampling,
        const ThicknessStrain    thickness_strain,
-       const bool               relaxing = false)
+       const bool               relaxing = false,
+       const bool               skewed   = false)
   {
     const Laminate laminate = layup(plies,
                                     shear,
@@ -178,14 +257,17 @@ namespace
                                     thickness_strain == ThicknessStrain::normal,
                                     relaxing)
                                 .laminate(0);
-    ElementGeometry geometry =
-      make_cells(
-        torus(), {{"40:45:1", "10:15:1"}}, laminate.face_heights(), sampling)[0]
-        .geometry;
+    ElementGeometry geometry  = skewed ? skewed_cell(laminate, thickness_strain)
+                                       : make_cells(torus(),
+                                                   {{"40:45:1", "10:15:1"}},
+                                                   laminate.face_heights(),
+                                                   sampling)[0]
+                                          .geometry;
     geometry.thickness_strain = thickness_strain;
-    const NonlinearPlies law(laminate, sampling);
-    ModeStiffness        linear(laminate.stiffness(), sampling);
-    linear.release_thickness_strain(laminate.stiffness_of_slack_cords());
+    const NonlinearPlies law(laminate, sampling, geometry.tangents());
+    ModeStiffness linear(laminate.stiffness(), sampling, geometry.tangents());
+    linear.release_thickness_strain(laminate.stiffness_of_slack_cords(),
+                                    geometry.tangents());
     const ModeStiffness none(Resultants::Matrix(), sampling);
     check_true("  whole law", law.is_whole_law());
 
@@ -226,7 +308,7 @@ namespace
     const double       step = 1e-5;
     const NodalVector  V = some_vector<24>(-0.2, 1), dV = some_vector<24>(1, 2);
     const MixedElement element(geometry, V);
-    check_range("  strains", element.strain().norm(), 0.2, 1);
+    check_range("  strains", element.strain().norm(), 0.1, 1);
     const double difference =
       (energy_at(V + step * dV) - energy_at(V - step * dV)) / (2 * step);
     check_small("  internal force",
@@ -300,5 +382,27 @@ main()
            StrainSampling::means,
            thickness_strain,
            true);
+    }
+  for (const auto thickness_strain :
+       {ThicknessStrain::vertices, ThicknessStrain::normal})
+    for (const bool relaxing : {false, true})
+      {
+        std::cout << "skewed cell, mixed" << (relaxing ? ", relaxing" : "")
+                  << ", thickness strain " << static_cast<int>(thickness_strain)
+                  << std::endl;
+        test(mixed,
+             "equilibrium",
+             Integrals::plate,
+             StrainSampling::means,
+             thickness_strain,
+             relaxing,
+             true);
+      }
+  for (const auto thickness_strain :
+       {ThicknessStrain::vertices, ThicknessStrain::normal})
+    {
+      std::cout << "skewed cell, other direction, thickness strain "
+                << static_cast<int>(thickness_strain) << std::endl;
+      test_direction(thickness_strain);
     }
 }

@@ -17,6 +17,7 @@
 
 namespace Biface
 {
+  struct CellTangents;
   class Quadrilateral;
 
 
@@ -175,6 +176,10 @@ namespace Biface
      * material are taken; otherwise they have directions of their own, see
      * Quadrilateral::get_tangents(). */
     bool along_lines = true;
+
+    /** The tangents of the cell, null if the sides are coordinate lines. */
+    const CellTangents *
+    tangents() const;
 
     /** The factors @f$\varphi_a@f$ of MeanDirector. */
     std::array<double, 2> director_factor;

@@ -248,6 +248,13 @@ namespace Biface
       return geometry.thickness_strain != ThicknessStrain::vertices;
     }
 
+    /** Of Quadrilateral, or null if they are the axes of the material. */
+    const CellTangents *
+    tangents() const
+    {
+      return geometry.tangents();
+    }
+
     bool
     with_normal_thickness() const
     {

@@ -111,22 +111,44 @@ namespace Biface
              (group.varies[1] ? xi : 1.);
     }
 
+    /** The strains or resultants along the axes of the laminate by the strains
+     * of a group, those with the twist. */
+    using Components = std::array<Resultants::Vector, twist + 1>;
+
+    /** The components of the groups that vary along @f$\xi_2@f$ and along
+     * @f$\xi_1@f$, where the tangents of the cell are not the axes of the
+     * laminate, see CellTangents::strains(). */
+    using ComponentsOfGroups = std::array<Components, 2>;
+
     /** Call a function with each mode, the strain at a Gauss point that it is a
-     * part of, and its factor there. The twist is a part of two strains.
-     * @param with_twist whether the twist is a mode. */
+     * part of, and its factor there. The twist is a part of two strains, and
+     * along tangents that are not the axes, others are parts of several.
+     * @param with_twist whether the twist is a mode.
+     * @param along null where the tangents are the axes. */
     template <typename Function>
     void
-    for_parts_at_gauss_point(const unsigned int g,
-                             const bool         with_twist,
-                             const Function    &function)
+    for_parts_at_gauss_point(const unsigned int        g,
+                             const bool                with_twist,
+                             const ComponentsOfGroups *along,
+                             const Function           &function)
     {
-      for (const Group &group : groups)
+      for (unsigned int m = 0; m < groups.size(); ++m)
         {
+          const Group &group = groups[m];
           const double value = value_at_gauss_point(group, g);
           for (unsigned int i = 0; i < group.size; ++i)
-            if (group.strains[i] != twist)
+            if (group.strains[i] == twist && !with_twist)
+              continue;
+            else if (along && (m == 1 || m == 2))
+              {
+                const auto &components = (*along)[m - 1][group.strains[i]];
+                for (unsigned int s = 0; s < Resultants::n; ++s)
+                  if (components[s] != 0)
+                    function(group.first_mode + i, s, value * components[s]);
+              }
+            else if (group.strains[i] != twist)
               function(group.first_mode + i, group.strains[i], value);
-            else if (with_twist)
+            else
               for (unsigned int face = 0; face < 2; ++face)
                 function(group.first_mode + i,
                          Resultants::tangential(2, face),
@@ -136,12 +158,15 @@ namespace Biface
 
     /** The strains at a Gauss point. */
     inline Resultants::Vector
-    at_gauss_point(const Vector &modes, const unsigned int g)
+    at_gauss_point(const Vector             &modes,
+                   const unsigned int        g,
+                   const ComponentsOfGroups *along = nullptr)
     {
       Resultants::Vector strains;
       for_parts_at_gauss_point(
         g,
         true,
+        along,
         [&](const unsigned int m, const unsigned int s, const double value) {
           strains[s] += value * modes[m];
         });
@@ -155,13 +180,15 @@ namespace Biface
     inline Vector
     from_gauss_points(
       const std::array<Resultants::Vector, n_gauss_points> &at_points,
-      const bool                                            with_twist)
+      const bool                                            with_twist,
+      const ComponentsOfGroups                             *along = nullptr)
     {
       Vector modes;
       for (unsigned int g = 0; g < n_gauss_points; ++g)
         for_parts_at_gauss_point(
           g,
           with_twist,
+          along,
           [&](const unsigned int m, const unsigned int s, const double value) {
             modes[m] += value * at_points[g][s];
           });
@@ -208,6 +235,11 @@ namespace Biface
           }
       return values;
     }
+
+    /** The values at the vertices where the tangents of the cell are not the
+     * axes of the laminate. */
+    std::array<Resultants::Vector, 4>
+    at_vertices(const Vector &modes, const ComponentsOfGroups &along);
 
     /**
      * The transpose of from_vertices() with the weights of the groups: the
@@ -267,20 +299,37 @@ namespace Biface
     bool
     are_axes() const;
 
-    /** Components along the axes by strains or resultants of a group, those
-     * with the twist. */
-    using Components = std::array<Resultants::Vector, Modes::twist + 1>;
-
     /** The strains along the axes for unit strains of the group that varies
      * along @f$\xi_2@f$ (@p a = 0) or @f$\xi_1@f$ (1): the columns of
      * @f$\mathbf T_E@f$. */
-    Components
+    Modes::Components
     strains(const unsigned int a) const;
+
+    /** The strains of both groups. */
+    Modes::ComponentsOfGroups
+    strains() const
+    {
+      return {{strains(0), strains(1)}};
+    }
 
     /** The resultants along the axes for unit resultants of the group, which do
      * the same work: @f$\mathbf T_H(\mathbf T_E^T\mathbf T_H)^{-1}@f$. */
-    Components
+    Modes::Components
     resultants(const unsigned int a) const;
+
+    /** A basis of all strains: strains(), of which the twist is the difference
+     * of the shear strains of the outer and the inner face, and those that the
+     * group lacks and on which its resultants do no work. With the dual
+     * vectors @f$\mathbf t^a@f$ these are
+     * @f$\mathbf t^b\mathbf t^b@f$ (b not a) on each face, and
+     * @f$\mathbf t^1\mathbf t^2@f$ on both. */
+    std::array<Resultants::Vector, Resultants::n>
+    basis(const unsigned int a) const;
+
+    /** The matrix of a laminate between the strains of basis() and the
+     * resultants that do work on them. */
+    Resultants::Matrix
+    in_basis(const Resultants::Matrix &stiffness, const unsigned int a) const;
 
     /** The values at the vertices, along the axes, of strains and of
      * resultants. */
@@ -301,10 +350,14 @@ namespace Biface
   {
   public:
     /** The law of a laminate with the given matrix.
-     * @param sampling the set of strain modes. */
+     * @param sampling the set of strain modes.
+     * @param tangents of the cell, along which the strains that vary are
+     * components, @f$\mathbf D^m=\mathbf T_E^T\mathbf D\mathbf T_E@f$, see
+     * Quadrilateral; null if they are the axes of the laminate. */
     explicit ModeStiffness(
       const Resultants::Matrix &stiffness,
-      const StrainSampling      sampling = StrainSampling::vertices);
+      const StrainSampling      sampling = StrainSampling::vertices,
+      const CellTangents       *tangents = nullptr);
 
     /**
      * Let the tangential strains that a group lacks follow its thickness
@@ -325,17 +378,12 @@ namespace Biface
      *
      * @param softest the matrix where all cords are slack, so that the law is
      * positive definite for any of them.
+     * @param tangents those of the constructor; the strains f are the ones
+     * that CellTangents::basis() adds.
      */
     void
-    release_thickness_strain(const Resultants::Matrix &softest);
-
-    /**
-     * Let the strains that vary be components along the tangents of a cell
-     * instead of the axes of the laminate, see Quadrilateral:
-     * @f$\mathbf D^m=\mathbf T_E^T\mathbf D\mathbf T_E@f$.
-     */
-    void
-    turn(const CellTangents &tangents);
+    release_thickness_strain(const Resultants::Matrix &softest,
+                             const CellTangents       *tangents = nullptr);
 
     /** The number of strains in a group. */
     unsigned int

@@ -87,10 +87,13 @@ namespace Biface
     using Stiffness = Modes::Matrix;
 
     /** The plies of a laminate that are not linear.
-     * @param sampling the set of strain modes. */
+     * @param sampling the set of strain modes.
+     * @param tangents of the cell, see ModeStiffness; the mean strains in
+     * @f$\eta_m@f$ are those along them. */
     explicit NonlinearPlies(
       const Laminate      &laminate,
-      const StrainSampling sampling = StrainSampling::vertices);
+      const StrainSampling sampling = StrainSampling::vertices,
+      const CellTangents  *tangents = nullptr);
 
     /** Whether all plies are linear. */
     bool
@@ -245,13 +248,32 @@ namespace Biface
     slack_thickness(const Modes::Vector &E) const;
 
   private:
+    /** The components along the axes where the tangents of the cell are others,
+     * null where they are the axes. */
+    const Modes::ComponentsOfGroups *
+    of_tangents() const
+    {
+      return along.get();
+    }
+
+    std::array<Resultants::Vector, Modes::n_gauss_points>
+    at_gauss_points(const Modes::Vector &E) const;
+
+    /** Call a function with the constant modes whose sum, with the given
+     * factors, is the mean of the @p s-th strain of a group. */
+    template <typename Function>
+    void
+    for_mean(const unsigned int group,
+             const unsigned int s,
+             const Function    &function) const;
+
     /** The value of @f$\eta_m@f$ with its derivatives by the modes. */
     struct Variation
     {
       double                       value = 0;
       std::array<double, Modes::n> gradient{};
-      /** The second derivatives, by the mode and the constant mode of a strain,
-       * and by the latter twice. */
+      /** The second derivatives, by the mode and the mean of a strain, and by
+       * the latter twice. */
       std::array<double, Modes::twist + 1> mixed{}, by_mean{};
     };
     Variation
@@ -319,6 +341,11 @@ namespace Biface
              const unsigned int        g,
              const unsigned int        cord,
              const Resultants::Vector &strain) const;
+
+    /** The tangents of the cell where they are not the axes, and, if any ply is
+     * not linear, what they give. */
+    std::optional<CellTangents>                      tangents;
+    std::shared_ptr<const Modes::ComponentsOfGroups> along;
 
     std::shared_ptr<const PlyPoints> points;
     std::vector<CordPoint>           cords;

@@ -32,17 +32,27 @@ namespace Biface
     using Shear = std::array<std::array<double, 2>, Modes::n_gauss_points>;
 
     /** Call a function for each mode of the transverse shear strains, with the
-     * direction a, the number of the mode, and its group. */
+     * direction a, the number of the mode, its group, and its factor in that
+     * direction.
+     * @param tangents of the cell, along which the strains that vary are
+     * components; null if they are the directions. */
     template <typename Function>
     void
-    for_shear_modes(const Function &function)
+    for_shear_modes(const CellTangents *tangents, const Function &function)
     {
       for (const Modes::Group &group : Modes::groups)
         for (unsigned int i = 0; i < group.sampled; ++i)
           for (unsigned int a = 0; a < 2; ++a)
             for (unsigned int face = 0; face < 2; ++face)
               if (group.strains[i] == Resultants::transverse(a, face))
-                function(a, group.first_mode + i, group);
+                {
+                  const unsigned int mode = group.first_mode + i;
+                  if (!tangents || group.first_mode == 0)
+                    function(a, mode, group, 1.);
+                  else
+                    for (unsigned int b = 0; b < 2; ++b)
+                      function(b, mode, group, tangents->middle[a][b]);
+                }
     }
 
     /** The number of the mode of the thickness strain in a group. */
@@ -53,15 +63,19 @@ namespace Biface
     }
 
     inline Shear
-    shear(const Modes::Vector &strain)
+    shear(const Modes::Vector &strain, const CellTangents *tangents)
     {
       Shear x{};
-      for_shear_modes([&](const unsigned int  a,
+      for_shear_modes(tangents,
+                      [&](const unsigned int  a,
                           const unsigned int  i,
-                          const Modes::Group &group) {
-        for (unsigned int g = 0; g < Modes::n_gauss_points; ++g)
-          x[g][a] += Modes::value_at_gauss_point(group, g) * strain[i] / 2;
-      });
+                          const Modes::Group &group,
+                          const double        factor) {
+                        for (unsigned int g = 0; g < Modes::n_gauss_points; ++g)
+                          x[g][a] += factor *
+                                     Modes::value_at_gauss_point(group, g) *
+                                     strain[i] / 2;
+                      });
       return x;
     }
 
@@ -94,17 +108,22 @@ namespace Biface
     /** Resultants whose work on a variation of the strains is that of @p H on
      * the thickness strain, @f$-H_{33}\,\mathbf x\cdot\delta\mathbf g@f$. */
     inline Modes::Vector
-    resultants(const Shear &x, const Modes::Vector &H)
+    resultants(const Shear         &x,
+               const Modes::Vector &H,
+               const CellTangents  *tangents)
     {
       Modes::Vector result;
-      for_shear_modes([&](const unsigned int  a,
+      for_shear_modes(tangents,
+                      [&](const unsigned int  a,
                           const unsigned int  i,
-                          const Modes::Group &group) {
-        for (unsigned int g = 0; g < Modes::n_gauss_points; ++g)
-          result[i] -= Modes::value_at_gauss_point(group, g) /
-                       (2 * Modes::n_gauss_points * group.weight()) *
-                       thickness_resultant(H, g) * x[g][a];
-      });
+                          const Modes::Group &group,
+                          const double        factor) {
+                        for (unsigned int g = 0; g < Modes::n_gauss_points; ++g)
+                          result[i] -=
+                            factor * Modes::value_at_gauss_point(group, g) /
+                            (2 * Modes::n_gauss_points * group.weight()) *
+                            thickness_resultant(H, g) * x[g][a];
+                      });
       return result;
     }
   } // namespace NormalThickness

@@ -18,51 +18,21 @@ namespace Biface
 {
   using namespace dealii;
 
-  namespace
-  {
-    /** The tangents of a cell of any shape; null for those along lines, which
-     * are the axes of the material. */
-    const CellTangents *
-    tangents_of(const Cell &cell)
-    {
-      return cell.geometry.along_lines
-               ? nullptr
-               : &cell.geometry.quadrilateral->get_tangents();
-    }
-  } // namespace
-
-
   InternalForces::InternalForces(const ShellMesh &mesh)
     : mesh(mesh)
     , transport(mesh, nonlinear)
     , symmetric_stiffness(mesh.strips[0].laminate.is_symmetric())
   {
     for (const Strip &strip : mesh.strips)
-      {
-        nonlinear.emplace_back(strip.laminate, mesh.sampling);
-        // the points of the plies have the whole stiffness: nothing linear is
-        // left beside them
-        if (nonlinear.back().is_whole_law())
-          {
-            stiffness.emplace_back(Resultants::Matrix(), mesh.sampling);
-            continue;
-          }
-        stiffness.emplace_back(strip.laminate.stiffness(), mesh.sampling);
-        if (mesh.thickness_strain == ThicknessStrain::normal)
-          // section 4 of doc/theory.md, "Nearly incompressible layers":
-          // positive whatever cords are slack
-          stiffness.back().release_thickness_strain(
-            strip.laminate.stiffness_of_slack_cords());
-      }
+      add_laws(strip.laminate, nullptr, stiffness, nonlinear);
     if (std::any_of(mesh.cells.begin(), mesh.cells.end(), [](const Cell &cell) {
-          return tangents_of(cell);
+          return cell.geometry.tangents() != nullptr;
         }))
       for (const Cell &cell : mesh.cells)
-        {
-          of_cells.push_back(stiffness[cell.strip]);
-          if (const CellTangents *tangents = tangents_of(cell))
-            of_cells.back().turn(*tangents);
-        }
+        add_laws(mesh.strips[cell.strip].laminate,
+                 cell.geometry.tangents(),
+                 stiffness_of_cells,
+                 nonlinear_of_cells);
     of_laminate = resultants_of_laminate();
     // stresses follow from the strains since the imperfect shape, which is free
     // of stress (section 1 of doc/theory.md)
@@ -74,6 +44,29 @@ namespace Biface
                            mesh.cell_values(mesh.imperfection, cell))
                 .strain()
             : Modes::Vector());
+  }
+
+
+  void
+  InternalForces::add_laws(const Laminate              &laminate,
+                           const CellTangents          *tangents,
+                           std::vector<ModeStiffness>  &linear,
+                           std::vector<NonlinearPlies> &others) const
+  {
+    others.emplace_back(laminate, mesh.sampling, tangents);
+    // the points of the plies have the whole stiffness: nothing linear is
+    // left beside them
+    if (others.back().is_whole_law())
+      {
+        linear.emplace_back(Resultants::Matrix(), mesh.sampling);
+        return;
+      }
+    linear.emplace_back(laminate.stiffness(), mesh.sampling, tangents);
+    if (mesh.thickness_strain == ThicknessStrain::normal)
+      // section 4 of doc/theory.md, "Nearly incompressible layers":
+      // positive whatever cords are slack
+      linear.back().release_thickness_strain(
+        laminate.stiffness_of_slack_cords(), tangents);
   }
 
 
@@ -121,7 +114,8 @@ namespace Biface
   const NonlinearPlies &
   InternalForces::nonlinear_plies(const Cell &cell) const
   {
-    return nonlinear[cell.strip];
+    return nonlinear_of_cells.empty() ? nonlinear[cell.strip]
+                                      : nonlinear_of_cells[cell.position];
   }
 
 
@@ -497,16 +491,8 @@ namespace Biface
   InternalForces::strains_at_vertices(const State       &state,
                                       const unsigned int c) const
   {
-    auto strains =
-      nonlinear_plies(mesh.cells[c])
-        .strains_at_vertices(total_strains(state, c), history(state, c));
-    if (!mesh.cells[c].geometry.along_lines)
-      {
-        const auto E = total_strains_at_vertices(state, c);
-        for (unsigned int v = 0; v < 4; ++v)
-          strains[v].E = E[v];
-      }
-    return strains;
+    return nonlinear_plies(mesh.cells[c])
+      .strains_at_vertices(total_strains(state, c), history(state, c));
   }
 
 
@@ -515,7 +501,7 @@ namespace Biface
                                             const unsigned int c) const
   {
     const Modes::Vector E        = total_strains(state, c);
-    const CellTangents *tangents = tangents_of(mesh.cells[c]);
+    const CellTangents *tangents = mesh.cells[c].geometry.tangents();
     return tangents ? tangents->strains_at_vertices(E) : Modes::at_vertices(E);
   }
 
@@ -525,7 +511,7 @@ namespace Biface
                                                const unsigned int c) const
   {
     const Modes::Vector H        = total_resultants(state, c);
-    const CellTangents *tangents = tangents_of(mesh.cells[c]);
+    const CellTangents *tangents = mesh.cells[c].geometry.tangents();
     return tangents ? tangents->resultants_at_vertices(H)
                     : Modes::at_vertices(H);
   }

@@ -178,11 +178,6 @@ namespace Biface
   std::vector<Strip>
   ShellMesh::strips_without_lines(const Layup &layup)
   {
-    if (layup.has_slack_cords() || layup.is_hyperelastic() || layup.relaxes())
-      throw InputError(
-        "the section 'Laminate' has plies that are not linear "
-        "(rubber, cords that go slack, or relaxation), which are "
-        "not possible on a mesh from a file.");
     for (const PlyDescription &ply : layup.get_plies())
       // a formula or a table of a coordinate would not have one value
       for (const double alpha_1 : {-0.37, 0.61, 29.})

@@ -14,6 +14,7 @@
 namespace Biface
 {
   struct HistoryOfPlies;
+  class Laminate;
   class NonlinearPlies;
   struct StrainsOfPlies;
   enum class StrainTheory;
@@ -239,8 +240,17 @@ namespace Biface
     const ModeStiffness &
     stiffness_of(const Cell &cell) const
     {
-      return of_cells.empty() ? stiffness[cell.strip] : of_cells[cell.position];
+      return stiffness_of_cells.empty() ? stiffness[cell.strip]
+                                        : stiffness_of_cells[cell.position];
     }
+
+    /** Add the laws of a laminate: that of ModeStiffness, and of the plies that
+     * are not linear. */
+    void
+    add_laws(const Laminate              &laminate,
+             const CellTangents          *tangents,
+             std::vector<ModeStiffness>  &linear,
+             std::vector<NonlinearPlies> &others) const;
 
     const NonlinearPlies &
     nonlinear_plies(const Cell &cell) const;
@@ -283,11 +293,12 @@ namespace Biface
     const ShellMesh &mesh;
     /** The laws of the layers and of their plies that are not linear, by
      * ShellMesh::strips. */
-    std::vector<ModeStiffness> stiffness;
+    std::vector<ModeStiffness>  stiffness;
+    std::vector<NonlinearPlies> nonlinear;
     /** The laws by ShellMesh::cells where the tangents of cells are not the
      * axes of the material; empty otherwise. */
-    std::vector<ModeStiffness>  of_cells;
-    std::vector<NonlinearPlies> nonlinear;
+    std::vector<ModeStiffness>  stiffness_of_cells;
+    std::vector<NonlinearPlies> nonlinear_of_cells;
     RelaxationInTransport       transport;
     bool                        symmetric_stiffness;
     /** The initial resultants of the laminate, by cell. */
