@@ -64,7 +64,8 @@ thickness is 7 % softer, as a crumpled plate is. The mesh itself is the surface:
 $`\\theta`$, the chords are shorter than the arcs by $`\\theta^2/24`$.
 
 What needs coordinates is refused in one sentence before the first step: rolling and heat, sealed gas and end
-plates, multigrid and coarse meshes, imperfections, plies that end or vary, several layers, rubber and cords that go slack.
+plates, multigrid and coarse meshes, imperfections, and plies that end or vary. Layers, rubber, cords that go slack and
+relaxation are those of other shells.
 The places of maxima in history.csv, which are coordinates, are nan.
 
 ## Published values on regular and irregular meshes

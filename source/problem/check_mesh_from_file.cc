@@ -68,14 +68,6 @@ namespace Biface
       throw InputError("Surface/Imperfection/Formula",
                        surface.imperfection.formula,
                        "imperfections are not possible" + why);
-    if (laminate.n_layers() > 1)
-      throw InputError("Laminate/Layers",
-                       std::to_string(laminate.n_layers()),
-                       "there must be one layer" + why);
-    if (element.thickness_strain != ThicknessStrain::by_layers &&
-        element.thickness_strain != ThicknessStrain::vertices)
-      throw InputError(
-        "the entry 'Element/Thickness strain' must be 'vertices'" + why + ".");
     if (laminate.integrals == ThicknessIntegrals::shell)
       throw InputError("Laminate/Integrals",
                        "shell",

@@ -92,7 +92,8 @@ namespace Biface
                                          parameters.surface.mesh,
                                          layup,
                                          parameters.supports,
-                                         points);
+                                         points,
+                                         parameters.element.thickness_strain);
     const auto mesh =
       std::make_shared<ShellMesh>(communicator,
                                   std::move(surface),

@@ -23,6 +23,15 @@ namespace Biface
      * ModeStiffness::release_thickness_strain(). */
     normal
   };
+
+  /** The source of a wall with a number of layers, where it depends on it. */
+  inline ThicknessStrain
+  of_layers(const ThicknessStrain given, const unsigned int n_layers)
+  {
+    if (given != ThicknessStrain::by_layers)
+      return given;
+    return n_layers > 1 ? ThicknessStrain::normal : ThicknessStrain::vertices;
+  }
 } // namespace Biface
 
 #endif

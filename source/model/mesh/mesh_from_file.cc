@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -15,6 +16,7 @@
 #include <biface/element/quadrilateral_geometry.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/laminate/layup.h>
+#include <biface/model/mesh/contributions_of_layers.h>
 #include <biface/model/mesh/parallel_triangulation.h>
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/mesh/strip.h>
@@ -189,8 +191,12 @@ namespace Biface
                            "thickness and angle must be constant, and the ply "
                            "must not end, on a mesh from a file, which has no "
                            "coordinates");
-    const Laminate laminate = layup.laminate(0);
-    return {{laminate, {{laminate, laminate}}}};
+    const Laminate     laminate = layup.laminate(0);
+    std::vector<Strip> result{{laminate, {{laminate, laminate}}}};
+    if (layup.n_layers() > 1)
+      for (const std::optional<Laminate> &layer : layup.layers(0, 0))
+        result.push_back({*layer, {{*layer, *layer}}});
+    return result;
   }
 
 
@@ -200,11 +206,12 @@ namespace Biface
                        const MeshFile                         &file,
                        const Layup                            &layup,
                        const Supports                         &supports,
-                       const std::vector<NamedPoint>          &points)
+                       const std::vector<NamedPoint>          &points,
+                       const ThicknessStrain                   thickness_strain)
     : MeshNodes(communicator, std::move(surface), grid, points)
     , sampling(StrainSampling::means)
     , interpolation(Interpolation::Cartesian)
-    , thickness_strain(ThicknessStrain::vertices)
+    , thickness_strain(of_layers(thickness_strain, layup.n_layers()))
   {
     set_layup(layup);
     strips        = strips_without_lines(*this->layup);
@@ -276,6 +283,12 @@ namespace Biface
     const std::vector<Tensor<1, 3>> normals =
       normals_in_planes(mesh, supports.named_edges, *this, group_of_edge);
     const std::array<double, 2> heights = strips[0].laminate.face_heights();
+    // those of all faces, the outer one exactly and not up to round-off
+    std::vector<double> all_heights{heights[0]};
+    for (unsigned int k = 1; k < n_layers(); ++k)
+      all_heights.push_back(all_heights.back() +
+                            strips[k].laminate.thickness());
+    all_heights.push_back(heights[1]);
     if (!(heights[1] - heights[0] < size()))
       throw InputError("the plies of 'Laminate/Plies' are " +
                        number_to_string(heights[1] - heights[0]) +
@@ -320,9 +333,11 @@ namespace Biface
       node.surface.curvature = {{0, 0}};
       node.surface.geodesic  = {{0, 0}};
       node.face_heights      = heights;
-      node.half_thickness    = {(heights[1] - heights[0]) / 2};
-      node.locally_owned     = false;
-      node.face_is_free      = {{true, true}};
+      for (unsigned int k = 0; k < n_layers(); ++k)
+        node.half_thickness.push_back((all_heights[k + 1] - all_heights[k]) /
+                                      2);
+      node.locally_owned = false;
+      node.face_is_free  = {{true, true}};
       return node;
     };
 
@@ -395,32 +410,54 @@ namespace Biface
               }
           }
 
-        Cell local;
-        local.nodes    = cell_nodes;
-        local.position = cells.size();
-        local.strip    = 0;
-        local.column   = number;
-        local.is_wall  = true;
-        local.is_layer = true;
-        local.layer    = 0;
-        local.number   = number;
-        for (unsigned int v = 0; v < 4; ++v)
-          for (unsigned int i = 0; i < n_dofs_per_node(); ++i)
-            local.dofs.push_back(cell->vertex_dof_index(v, i));
+        Tensor<1, 3> normal;
+        for (const unsigned int n : cell_nodes)
+          normal += nodes[n].surface.frame[2];
         QuadrilateralPoints points;
         for (unsigned int v = 0; v < 4; ++v)
-          {
-            points.vertices[v] = nodes[cell_nodes[v]].surface;
-            points.heights[v]  = heights;
-          }
-        Tensor<1, 3> normal;
-        for (const SurfacePoint &vertex : points.vertices)
-          normal += vertex.frame[2];
+          points.vertices[v] = nodes[cell_nodes[v]].surface;
         points.direction = frame_along(
           normal / normal.norm(), file.direction_at(mesh.center(number)))[0];
-        local.geometry =
-          quadrilateral_geometry(points, sampling, thickness_strain);
-        cells.push_back(local);
+        points.wall_thickness = heights[1] - heights[0];
+
+        const unsigned int first_of_column = cells.size();
+        const auto         add             = [&](const unsigned int strip,
+                             const unsigned int first,
+                             const unsigned int last) {
+          Cell local;
+          local.nodes    = cell_nodes;
+          local.position = cells.size();
+          local.strip    = strip;
+          local.column   = number;
+          local.is_wall  = (first == 0 && last + 1 == n_layers());
+          local.is_layer = (first == last);
+          local.layer    = first;
+          local.number   = n_layers() == 1 ? number
+                                                               : number * (n_layers() + 1) +
+                                             cells.size() - first_of_column;
+          points.heights.fill({{all_heights[first], all_heights[last + 1]}});
+          for (unsigned int v = 0; v < 4; ++v)
+            {
+              for (unsigned int i = 0; i < n_dofs_per_node(); ++i)
+                local.dofs.push_back(cell->vertex_dof_index(v, i));
+              // the layers at a node are those of the cell
+              if (n_layers() > 1)
+                for (const Cell::Contribution &contribution :
+                     local.is_wall
+                                           ? contributions_to_wall(nodes[cell_nodes[v]],
+                                               points.heights[v])
+                                           : contributions_to_layer(
+                           nodes[cell_nodes[v]], all_heights, 0, first))
+                  local.contributions.push_back(contribution);
+            }
+          local.geometry =
+            quadrilateral_geometry(points, sampling, thickness_strain);
+          cells.push_back(local);
+        };
+        add(0, 0, n_layers() - 1);
+        if (n_layers() > 1)
+          for (unsigned int k = 0; k < n_layers(); ++k)
+            add(k + 1, k, k);
       }
 
     for (const auto &set : adjacent)

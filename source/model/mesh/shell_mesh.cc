@@ -16,6 +16,7 @@
 #include <biface/input/formula.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/laminate/layup.h>
+#include <biface/model/mesh/contributions_of_layers.h>
 #include <biface/model/mesh/parallel_triangulation.h>
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/mesh/strip.h>
@@ -373,10 +374,7 @@ namespace Biface
     : MeshNodes(communicator, std::move(surface), grid, points)
     , sampling(sampling)
     , interpolation(interpolation)
-    , thickness_strain(thickness_strain != ThicknessStrain::by_layers
-                         ? thickness_strain
-                       : layup.n_layers() > 1 ? ThicknessStrain::normal
-                                              : ThicknessStrain::vertices)
+    , thickness_strain(of_layers(thickness_strain, layup.n_layers()))
   {
     set_layup(layup);
     const Faces faces(*this->layup, *this->surface, grid);
@@ -587,67 +585,6 @@ namespace Biface
           return nullptr;
     return result;
   }
-
-
-  namespace
-  {
-    /** The contributions of the layers at a node to the whole wall beside it,
-     * over which displacements are linear in the height.
-     * @param own the heights of its two faces. */
-    std::vector<Cell::Contribution>
-    contributions_to_wall(const Node &node, const std::array<double, 2> &own)
-    {
-      const double       inner     = node.face_heights[0];
-      const double       outer     = node.face_heights[1];
-      const double       thickness = outer - inner;
-      Cell::Contribution part;
-      if (own[0] != inner || own[1] != outer)
-        {
-          // s and r of section 2 of doc/theory.md: displacements are linear
-          // over the wall, and beyond its faces at the node
-          part.mean            = (own[1] + own[0] - outer - inner) / thickness;
-          part.half_difference = (own[1] - own[0]) / thickness;
-        }
-      return std::vector<Cell::Contribution>(node.n_layers(), part);
-    }
-
-
-    /** The contributions of the layers at a node to a layer beside it. Where a
-     * ply ends, the heights of the faces there are not those of the node. The
-     * stiffest layer goes on along its director; the others remain connected
-     * with it, each with its own director.
-     * @param own the heights of all faces beside the node. */
-    std::vector<Cell::Contribution>
-    contributions_to_layer(const Node                &node,
-                           const std::vector<double> &own,
-                           const unsigned int         stiffest,
-                           const unsigned int         layer)
-    {
-      const unsigned int n_layers = node.n_layers();
-      const auto         ratio    = [&](const unsigned int k) {
-        return (own[k + 1] - own[k]) / (2 * node.half_thickness[k]);
-      };
-
-      // the displacement of the middle of the stiffest layer
-      std::vector<Cell::Contribution> result(n_layers, {0, 0});
-      for (unsigned int k = 0; k < n_layers; ++k)
-        result[k].mean = (k < stiffest ? 1 : -1);
-      result[stiffest].mean = (own[stiffest] - node.height(stiffest) +
-                               own[stiffest + 1] - node.height(stiffest + 1)) /
-                              (2 * node.half_thickness[stiffest]);
-
-      // from there to the middle of this one
-      if (layer != stiffest)
-        for (unsigned int k = std::min(layer, stiffest);
-             k <= std::max(layer, stiffest);
-             ++k)
-          if (node.half_thickness[k] > 0)
-            result[k].mean += (layer > stiffest ? 1 : -1) *
-                              (k == layer || k == stiffest ? 1 : 2) * ratio(k);
-      result[layer].half_difference = ratio(layer);
-      return result;
-    }
-  } // namespace
 
 
   Node

@@ -172,13 +172,15 @@ namespace Biface
      * @param surface without coordinates.
      * @param grid without lines, of which only the distribution counts.
      */
-    ShellMesh(const MPI_Comm                          communicator,
-              std::unique_ptr<const ReferenceSurface> surface,
-              const ChartGrid                        &grid,
-              const MeshFile                         &file,
-              const Layup                            &layup,
-              const Supports                         &supports,
-              const std::vector<NamedPoint>          &points);
+    ShellMesh(
+      const MPI_Comm                          communicator,
+      std::unique_ptr<const ReferenceSurface> surface,
+      const ChartGrid                        &grid,
+      const MeshFile                         &file,
+      const Layup                            &layup,
+      const Supports                         &supports,
+      const std::vector<NamedPoint>          &points,
+      const ThicknessStrain thickness_strain = ThicknessStrain::by_layers);
 
     /** Let the stress-free shell deviate from the surface, but where supports
      * hold it. Throws InputError, see Imperfection, and if the deviation is
