@@ -16,7 +16,6 @@
 #include <biface/element/quadrilateral_geometry.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/laminate/layup.h>
-#include <biface/model/mesh/contributions_of_layers.h>
 #include <biface/model/mesh/parallel_triangulation.h>
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/mesh/strip.h>

@@ -458,6 +458,23 @@ namespace Biface
     void
     set_layup(const Layup &new_layup);
 
+    /** The contributions of the layers at a node to the whole wall beside it,
+     * over which displacements are linear in the height.
+     * @param own the heights of its two faces. */
+    static std::vector<Cell::Contribution>
+    contributions_to_wall(const Node &node, const std::array<double, 2> &own);
+
+    /** The contributions of the layers at a node to a layer beside it. Where a
+     * ply ends, the heights of the faces there are not those of the node. The
+     * stiffest layer goes on along its director; the others remain connected
+     * with it, each with its own director.
+     * @param own the heights of all faces beside the node. */
+    static std::vector<Cell::Contribution>
+    contributions_to_layer(const Node                &node,
+                           const std::vector<double> &own,
+                           const unsigned int         stiffest,
+                           const unsigned int         layer);
+
     /** The strips, and the heights of the faces. */
     class Faces;
 
