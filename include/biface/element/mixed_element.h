@@ -248,7 +248,7 @@ namespace Biface
       return geometry.thickness_strain != ThicknessStrain::vertices;
     }
 
-    /** Of Quadrilateral, or null if they are the axes of the material. */
+    /** The tangents of the cell; null if they are the axes of the material. */
     const CellTangents *
     tangents() const
     {

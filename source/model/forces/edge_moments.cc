@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <biface/base/errors.h>
+#include <biface/element/quadrilateral.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/forces/edge_moments.h>
 #include <biface/model/mesh/strip.h>
@@ -34,21 +35,81 @@ namespace Biface
 
   namespace
   {
-    /** The contributions of the half differences over the layers at a vertex
-     * to that of a section, see SideMoment.
-     * @param wall its position in ShellMesh::cells.
-     * @param a the coordinate along which the section is loaded. */
-    std::vector<double>
-    contributions_to_section(const ShellMesh   &mesh,
-                             const unsigned int wall,
-                             const unsigned int vertex,
-                             const unsigned int a)
+    /** The force on the face p by the strain of the face q. Unit:
+     * force/length. */
+    using StiffnessOfFaces = std::array<std::array<double, 2>, 2>;
+
+
+    /** Laminate::stiffness_along() a direction between the axes of the
+     * laminate, a unit vector. */
+    StiffnessOfFaces
+    stiffness_along(const Laminate &laminate, const Tensor<1, 2> &direction)
     {
+      const Resultants::Matrix &D = laminate.stiffness();
+      // by strains along the direction, with no thickness stress; unsymmetric
+      // laws have none anyway
+      std::array<Resultants::Vector, 2> strains;
+      for (unsigned int face = 0; face < 2; ++face)
+        {
+          for (unsigned int i = 0; i < 2; ++i)
+            strains[face][Resultants::tangential(i, face)] =
+              direction[i] * direction[i];
+          strains[face][Resultants::tangential(2, face)] =
+            2 * direction[0] * direction[1];
+        }
+      constexpr unsigned int thickness = Resultants::thickness;
+      StiffnessOfFaces       stiffness{};
+      for (unsigned int q = 0; q < 2; ++q)
+        {
+          Resultants::Vector H = D * strains[q];
+          if (laminate.is_symmetric())
+            {
+              Resultants::Vector E = strains[q];
+              E[thickness]         = -H[thickness] / D[thickness][thickness];
+              H                    = D * E;
+            }
+          for (unsigned int p = 0; p < 2; ++p)
+            for (unsigned int i = 0; i < 3; ++i)
+              stiffness[p][q] += H[Resultants::tangential(i, p)] *
+                                 strains[p][Resultants::tangential(i, p)];
+        }
+      return stiffness;
+    }
+
+
+    /** The stiffness of a layer along the coordinate that runs across an edge,
+     * or, on a mesh without coordinates, across the side itself. */
+    StiffnessOfFaces
+    stiffness_across(const BoundarySegment &segment,
+                     const Cell            &layer,
+                     const Laminate        &laminate)
+    {
+      if (layer.geometry.along_lines)
+        return laminate.stiffness_along(segment.is_on(Edge::alpha_1_min) ||
+                                            segment.is_on(Edge::alpha_1_max)
+                                          ? 0
+                                          : 1);
+      const Tensor<1, 3> along =
+        layer.geometry.quadrilateral->material_frame() *
+        (layer.geometry.vertices[segment.vertices[0]].axes * segment.axes[0]);
+      const Tensor<1, 2> across({-along[1], along[0]});
+      return stiffness_along(laminate, across / across.norm());
+    }
+
+
+    /** The contributions of the half differences over the layers at a vertex
+     * to that of a section across a side, see SideMoment. */
+    std::vector<double>
+    contributions_to_section(const ShellMesh       &mesh,
+                             const BoundarySegment &segment,
+                             const unsigned int     vertex)
+    {
+      const unsigned int wall = segment.cell;
       struct Part
       {
-        const Cell                          *layer;
-        std::array<double, 2>                heights;
-        std::array<std::array<double, 2>, 2> stiffness;
+        const Cell           *layer;
+        std::array<double, 2> heights;
+        StiffnessOfFaces      stiffness;
       };
       std::vector<Part> parts;
       double            stiffness = 0, first_moment = 0;
@@ -58,8 +119,9 @@ namespace Biface
           const Cell     &layer = mesh.cells[c];
           const Laminate &laminate =
             mesh.strips[layer.strip].at_lines[vertex % 2];
-          parts.push_back(
-            {&layer, laminate.face_heights(), laminate.stiffness_along(a)});
+          parts.push_back({&layer,
+                           laminate.face_heights(),
+                           stiffness_across(segment, layer, laminate)});
           const Part &part = parts.back();
           for (unsigned int p = 0; p < 2; ++p)
             for (unsigned int q = 0; q < 2; ++q)
@@ -110,14 +172,10 @@ namespace Biface
       const unsigned int n       = mesh.n_layers();
       if (n == 1)
         return section;
-      const unsigned int a =
-        (segment.is_on(Edge::alpha_1_min) || segment.is_on(Edge::alpha_1_max)
-           ? 0
-           : 1);
       for (const unsigned int vertex : segment.vertices)
         {
           const std::vector<double> of_layers =
-            contributions_to_section(mesh, segment.cell, vertex, a);
+            contributions_to_section(mesh, segment, vertex);
           for (unsigned int k = 0; k < n; ++k)
             section.contributions[vertex * n + k].half_difference =
               of_layers[k];
