@@ -221,6 +221,14 @@ namespace Biface
           throw InputError(where + "the entry " + quoted(name) + " is " +
                            quoted(line.value) +
                            ", but a value must not contain a brace.");
+        if (std::count(line.value.begin(), line.value.end(), '"') == 1 &&
+            line.value[0] == '"')
+          throw InputError(
+            where + InputError(name,
+                               line.value,
+                               "a value that begins with a quote must end with "
+                               "one; '#' begins a comment, also in quotes")
+                      .what());
         const char last = line.value.empty() ? ' ' : line.value.back();
         if (last == ',' || last == ';')
           throw InputError(

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,45 @@ namespace Biface
 
   namespace
   {
+    /** In a shell thinner than this, bending is lost beside stretching, as the
+     * square of a ratio is beside 1. */
+    void
+    check_thickness(const ShellMesh &mesh)
+    {
+      constexpr double least = 1e-8;
+      if (mesh.thickness() < least * mesh.size())
+        throw InputError(
+          "the plies of 'Laminate/Plies' are at most " +
+          number_to_string(mesh.thickness()) + " thick, but the shell is " +
+          number_to_string(mesh.size()) +
+          " large: a shell thinner than 1e-8 of its size cannot be computed.");
+    }
+
+
+    /** A contact much stiffer than the wall leaves nothing of its forces. */
+    void
+    check_penalty_stiffness(const Parameters &parameters, const ShellMesh &mesh)
+    {
+      constexpr double most = 1e9;
+      const double     automatic =
+        ContactCondition({}, mesh.wall_stiffness()).penalty_stiffness();
+      const auto check = [&](const std::string           &section,
+                             const std::optional<double> &stiffness) {
+        if (stiffness.value_or(0) > most * automatic)
+          throw InputError(section + "/Regularization",
+                           number_to_string(*stiffness),
+                           "it must be at most 1e9 times the value of "
+                           "'automatic', which is " +
+                             number_to_string(automatic) +
+                             ": beyond it, round-off decides");
+      };
+      check("Contact", parameters.contact.condition.penalty_stiffness);
+      for (unsigned int i = 0; i < parameters.stages.size(); ++i)
+        check("Stage " + std::to_string(i + 1),
+              parameters.stages[i].laws.penalty_stiffness);
+    }
+
+
     double
     shortest_side_of_cells(const ShellMesh &mesh)
     {
@@ -154,6 +194,8 @@ namespace Biface
   void
   check_proportions(const Parameters &parameters, const ShellMesh &mesh)
   {
+    check_thickness(mesh);
+    check_penalty_stiffness(parameters, mesh);
     const std::vector<Stage> &stages = parameters.stages;
     for (const BodyParameters &body : parameters.bodies)
       check_body(body, parameters.contact, mesh);

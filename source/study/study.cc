@@ -287,6 +287,14 @@ namespace Biface
       ParameterHandler  prm;
       parameters.add_parameters(prm);
       check_parameter_text(name, text);
+      const std::vector<ParameterLine> lines = scan_parameter_text(text);
+      if (std::none_of(
+            lines.begin(), lines.end(), [](const ParameterLine &line) {
+              return line.keyword == "subsection" && line.name == "Study";
+            }))
+        throw InputError(name +
+                         ": the file has no section 'Study', which '--study' "
+                         "runs; run it without '--study'.");
       parse_parameter_text(prm, name, text);
       // the others change the base file
       std::vector<Override> of_base;

@@ -9,9 +9,10 @@
 namespace Biface
 {
   /**
-   * Check the ground and its motion against the size of the shell, its
-   * cells and its velocity: the radius of a drum or sphere, the travel, and the
-   * critical velocity of friction.
+   * Check the thickness of the shell against its size; and the ground and its
+   * motion against the size of the shell, its stiffness, its cells and its
+   * velocity: the penalty stiffness, the radius of a drum or sphere, the
+   * travel, and the critical velocity of friction.
    *
    * Throws InputError, on all ranks, for a value for which the results would
    * mean nothing.
