@@ -1089,6 +1089,7 @@ namespace Biface
                                           const Modes::Vector &H,
                                           StrainMatrix        &DB) const
   {
+    const auto H_33 = NormalThickness::thickness_resultants(H);
     NormalThickness::for_shear_modes(
       tangents(),
       [&](const unsigned int  a,
@@ -1097,10 +1098,9 @@ namespace Biface
           const double        of_mode) {
         for (unsigned int g = 0; g < Modes::n_gauss_points; ++g)
           {
-            const double factor = of_mode * geometry.weight /
-                                  (2 * Modes::n_gauss_points) *
-                                  Modes::value_at_gauss_point(group, g) *
-                                  NormalThickness::thickness_resultant(H, g);
+            const double factor =
+              of_mode * geometry.weight / (2 * Modes::n_gauss_points) *
+              Modes::value_at_gauss_point(group, g) * H_33[g];
             for (unsigned int k = 0; k < n_dofs; ++k)
               DB[i][k] -= factor * G[g][a][k];
           }

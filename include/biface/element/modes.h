@@ -134,25 +134,28 @@ namespace Biface
     {
       for (unsigned int m = 0; m < groups.size(); ++m)
         {
-          const Group &group = groups[m];
-          const double value = value_at_gauss_point(group, g);
-          for (unsigned int i = 0; i < group.size; ++i)
-            if (group.strains[i] == twist && !with_twist)
+          const Group       &group = groups[m];
+          const double       value = value_at_gauss_point(group, g);
+          const unsigned int first = group.first_mode;
+          if (along && (m == 1 || m == 2))
+            {
+              const unsigned int n = (with_twist ? group.size : group.sampled);
+              for (unsigned int i = 0; i < n; ++i)
+                {
+                  const auto &components = (*along)[m - 1][group.strains[i]];
+                  for (unsigned int s = 0; s < Resultants::n; ++s)
+                    if (components[s] != 0)
+                      function(first + i, s, value * components[s]);
+                }
               continue;
-            else if (along && (m == 1 || m == 2))
-              {
-                const auto &components = (*along)[m - 1][group.strains[i]];
-                for (unsigned int s = 0; s < Resultants::n; ++s)
-                  if (components[s] != 0)
-                    function(group.first_mode + i, s, value * components[s]);
-              }
-            else if (group.strains[i] != twist)
-              function(group.first_mode + i, group.strains[i], value);
-            else
-              for (unsigned int face = 0; face < 2; ++face)
-                function(group.first_mode + i,
-                         Resultants::tangential(2, face),
-                         face == Resultants::inner ? -value : value);
+            }
+          for (unsigned int i = 0; i < group.sampled; ++i)
+            function(first + i, group.strains[i], value);
+          if (with_twist && group.size > group.sampled)
+            for (unsigned int face = 0; face < 2; ++face)
+              function(first + group.sampled,
+                       Resultants::tangential(2, face),
+                       face == Resultants::inner ? -value : value);
         }
     }
 

@@ -31,6 +31,26 @@ namespace Biface
     /** The shear strains @f$g_1,g_2@f$ at the Gauss points. */
     using Shear = std::array<std::array<double, 2>, Modes::n_gauss_points>;
 
+    /** A mode of the transverse shear strain in a direction. */
+    struct ShearMode
+    {
+      unsigned int direction, mode, group;
+    };
+
+    /** The modes of both directions. */
+    constexpr std::array<ShearMode, 8> shear_modes = [] {
+      std::array<ShearMode, 8> list{};
+      unsigned int             n = 0;
+      for (unsigned int m = 0; m < Modes::groups.size(); ++m)
+        for (unsigned int i = 0; i < Modes::groups[m].sampled; ++i)
+          for (unsigned int a = 0; a < 2; ++a)
+            for (unsigned int face = 0; face < 2; ++face)
+              if (Modes::groups[m].strains[i] ==
+                  Resultants::transverse(a, face))
+                list[n++] = {a, Modes::groups[m].first_mode + i, m};
+      return list;
+    }();
+
     /** Call a function for each mode of the transverse shear strains, with the
      * direction a, the number of the mode, its group, and its factor in that
      * direction.
@@ -40,19 +60,12 @@ namespace Biface
     void
     for_shear_modes(const CellTangents *tangents, const Function &function)
     {
-      for (const Modes::Group &group : Modes::groups)
-        for (unsigned int i = 0; i < group.sampled; ++i)
-          for (unsigned int a = 0; a < 2; ++a)
-            for (unsigned int face = 0; face < 2; ++face)
-              if (group.strains[i] == Resultants::transverse(a, face))
-                {
-                  const unsigned int mode = group.first_mode + i;
-                  if (!tangents || group.first_mode == 0)
-                    function(a, mode, group, 1.);
-                  else
-                    for (unsigned int b = 0; b < 2; ++b)
-                      function(b, mode, group, tangents->middle[a][b]);
-                }
+      for (const auto &[a, mode, m] : shear_modes)
+        if (!tangents || m == 0)
+          function(a, mode, Modes::groups[m], 1.);
+        else
+          for (unsigned int b = 0; b < 2; ++b)
+            function(b, mode, Modes::groups[m], tangents->middle[a][b]);
     }
 
     /** The number of the mode of the thickness strain in a group. */
@@ -95,14 +108,16 @@ namespace Biface
             (x[g][0] * y[g][0] + x[g][1] * y[g][1]);
     }
 
-    /** The resultant @f$H_{33}@f$ at a Gauss point. */
-    inline double
-    thickness_resultant(const Modes::Vector &H, const unsigned int g)
+    /** The resultant @f$H_{33}@f$ at the Gauss points. */
+    inline std::array<double, Modes::n_gauss_points>
+    thickness_resultants(const Modes::Vector &H)
     {
-      double sum = 0;
+      std::array<double, Modes::n_gauss_points> sums{};
       for (unsigned int m = 0; m < 4; ++m)
-        sum += Modes::value_at_gauss_point(Modes::groups[m], g) * H[mode(m)];
-      return sum;
+        for (unsigned int g = 0; g < Modes::n_gauss_points; ++g)
+          sums[g] +=
+            Modes::value_at_gauss_point(Modes::groups[m], g) * H[mode(m)];
+      return sums;
     }
 
     /** Resultants whose work on a variation of the strains is that of @p H on
@@ -112,6 +127,7 @@ namespace Biface
                const Modes::Vector &H,
                const CellTangents  *tangents)
     {
+      const auto    H_33 = thickness_resultants(H);
       Modes::Vector result;
       for_shear_modes(tangents,
                       [&](const unsigned int  a,
@@ -122,7 +138,7 @@ namespace Biface
                           result[i] -=
                             factor * Modes::value_at_gauss_point(group, g) /
                             (2 * Modes::n_gauss_points * group.weight()) *
-                            thickness_resultant(H, g) * x[g][a];
+                            H_33[g] * x[g][a];
                       });
       return result;
     }
