@@ -12,19 +12,29 @@ namespace Biface
   using namespace dealii;
 
   std::array<std::array<double, 4>, 4>
-  mortar_matrix(const MortarMatrix kind, const double weight)
+  mortar_matrix(const MortarMatrix kind, const std::array<double, 3> &density)
   {
-    // mean of N_r N_s over an edge, in one dimension
-    const double same  = (kind == MortarMatrix::consistent ? 1. / 3 : 1. / 2);
-    const double other = (kind == MortarMatrix::consistent ? 1. / 6 : 0.);
-
+    const bool is_lumped = (kind == MortarMatrix::lumped);
     // the lower bit of a vertex is its place along alpha_1, the other one that
-    // along alpha_2: the bilinear matrix is a product of both
+    // along alpha_2: the bilinear matrix is a product of integrals over edges,
+    // here of N_r N_s or, lumped, of N_r, of the same vertices and of others,
+    // and of the first ones times a density that is odd
+    const double same  = (is_lumped ? 1. / 2 : 1. / 3);
+    const double other = (is_lumped ? 0. : 1. / 6);
+    const double odd   = 1. / 6;
+
     std::array<std::array<double, 4>, 4> M;
     for (unsigned int r = 0; r < 4; ++r)
       for (unsigned int s = 0; s < 4; ++s)
-        M[r][s] =
-          weight * ((r ^ s) & 1 ? other : same) * ((r ^ s) & 2 ? other : same);
+        {
+          const std::array<double, 2> integral{
+            {(r ^ s) & 1 ? other : same, (r ^ s) & 2 ? other : same}};
+          M[r][s] = density[0] * integral[0] * integral[1];
+          for (unsigned int a = 0; a < 2; ++a)
+            if (((r ^ s) >> a & 1) == 0)
+              M[r][s] +=
+                ((r >> a) & 1 ? odd : -odd) * density[1 + a] * integral[1 - a];
+        }
     return M;
   }
 

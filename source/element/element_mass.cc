@@ -23,15 +23,21 @@ namespace Biface
               moments[a][b] += m * left[a] * right[b];
         }
 
-    MixedElement::NodalMatrix M{};
+    const std::array<double, 3> density = geometry.area_density();
+    MixedElement::NodalMatrix   M{};
     for (unsigned int r = 0; r < 4; ++r)
       for (unsigned int s = 0; s < 4; ++s)
         {
           // bilinear in each coordinate: 1/3 at the vertex, 1/6 at its neighbor
-          const unsigned int differs = r ^ s;
-          const double       area    = geometry.weight *
-                              ((differs & 1) != 0 ? 1. / 6 : 1. / 3) *
-                              ((differs & 2) != 0 ? 1. / 6 : 1. / 3);
+          const std::array<double, 2> integral{
+            {((r ^ s) & 1) != 0 ? 1. / 6 : 1. / 3,
+             ((r ^ s) & 2) != 0 ? 1. / 6 : 1. / 3}};
+          double area = density[0] * integral[0] * integral[1];
+          // a density that is odd in the cell only where both are the same
+          for (unsigned int a = 0; a < 2; ++a)
+            if (((r ^ s) >> a & 1) == 0)
+              area += ((r >> a) & 1 ? 1. / 6 : -1. / 6) * density[1 + a] *
+                      integral[1 - a];
           const Tensor<2, 3> turn = geometry.turn(r, s);
           for (unsigned int i = 0; i < 3; ++i)
             for (unsigned int j = 0; j < 3; ++j)

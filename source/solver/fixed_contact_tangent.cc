@@ -59,16 +59,16 @@ namespace Biface
           MixedElement::NodalMatrix matrix{};
           bool                      any = false;
           for (const auto &pair : contact.pairs)
-            for (const ContactPoints::OnCell &point : pair->points.on_cell())
+            for (unsigned int i = 0; i < pair->points.on_cell().size(); ++i)
               {
-                const unsigned int n = pair->points.number(
-                  cell, &point - pair->points.on_cell().data());
+                const auto        &point = pair->points.on_cell()[i];
+                const unsigned int n     = pair->points.number(cell, i);
                 if (!pair->state_of(state).active[n])
                   continue;
                 any = true;
                 const Tensor<2, 3> stiffness =
                   pair->traction(state, loads, n).stiffness;
-                const double part = point.area * cell.geometry.weight / 2;
+                const double part = pair->points.area(cell, i) / 2;
                 for (unsigned int r = 0; r < 4; ++r)
                   for (unsigned int s = 0; s < 4; ++s)
                     {

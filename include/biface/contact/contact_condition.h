@@ -27,11 +27,12 @@ namespace Biface
   };
 
 
-  /** The matrix @f$M_{rs}@f$ of a bilinear element of the given weight, with
-   * lexicographic numbering of vertices. It maps nodal values of any
-   * distributed load to nodal forces. */
+  /** The matrix @f$M_{rs}@f$ of a bilinear element, with lexicographic
+   * numbering of vertices. It maps nodal values of any distributed load to
+   * nodal forces.
+   * @param density see ElementGeometry::area_density(). */
   std::array<std::array<double, 4>, 4>
-  mortar_matrix(const MortarMatrix kind, const double weight);
+  mortar_matrix(const MortarMatrix kind, const std::array<double, 3> &density);
 
 
   /**

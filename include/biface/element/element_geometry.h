@@ -164,6 +164,20 @@ namespace Biface
      * constant loads consistent; a quarter otherwise. */
     std::array<double, 4> vertex_areas;
 
+    /** The area per area of the unit square over the cell, linear in its
+     * coordinates: `[0]` at the center, and `[1 + a]` its change from there to
+     * the side at which the coordinate a is 1. The vertex_areas are its
+     * integrals. */
+    std::array<double, 3>
+    area_density() const
+    {
+      std::array<double, 3> density{{weight, 0, 0}};
+      for (unsigned int a = 0; a < 2; ++a)
+        for (unsigned int v = 0; v < 4; ++v)
+          density[1 + a] += ((v >> a) & 1 ? 3 : -3) * vertex_areas[v];
+      return density;
+    }
+
     StrainSampling sampling;
     Interpolation  interpolation;
 

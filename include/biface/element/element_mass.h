@@ -16,9 +16,11 @@ namespace Biface
    * bilinear on the faces and linear between them, the kinetic energy is
    * @f$\frac12\sum_{rs}\sum_{pq}M_{rs}\,m^{pq}\,
    * \sum_i\dot v_{i,r}^p\,\dot v_{i,s}^q@f$ with
-   * @f$M_{rs}=\int N_rN_s\,\bar\mu\,d\alpha_1\,d\alpha_2@f$. As in all other
-   * integrals of the element, @f$\bar\mu@f$ is constant, and the volume of a
-   * layer is that of the middle surface times its thickness. As in the strains,
+   * @f$M_{rs}=\int N_rN_s\,\bar\mu\,d\alpha_1\,d\alpha_2@f$. Along
+   * coordinate lines @f$\bar\mu@f$ is constant, as in all other integrals of
+   * the element, on other cells linear, see ElementGeometry::area_density();
+   * and the volume of a layer is that of the middle surface times its
+   * thickness. As in the strains,
    * the components in the frames of the vertices are interpolated, so that the
    * mass of a rigid translation is that of the element only up to the square
    * of the angle between these frames.

@@ -77,8 +77,9 @@ namespace Biface
                 {pair->number, number_on_all_ranks(pair->points, mesh, n)});
               if (at == positions.end())
                 continue;
-              const unsigned int        k  = at->second;
-              const PointInContact      in = pair->at_point(state, loads, n);
+              const unsigned int        k     = at->second;
+              const PointInContact      in    = pair->at_point(state, loads, n);
+              const auto                areas = pair->points.areas(cell, i);
               MixedElement::NodalVector forces, gradient;
               for (unsigned int r = 0; r < 4; ++r)
                 {
@@ -86,11 +87,7 @@ namespace Biface
                   const Tensor<1, 3> normal =
                     mesh.nodes[cell.nodes[r]].surface.to_frame(
                       in.at_body.normal);
-                  MixedElement::add_force(on_cell[i].forces[r] *
-                                            cell.geometry.weight * normal,
-                                          r,
-                                          sign,
-                                          forces);
+                  MixedElement::add_force(areas[r] * normal, r, sign, forces);
                   MixedElement::add_force(
                     on_cell[i].position[r] * normal, r, sign, gradient);
                 }

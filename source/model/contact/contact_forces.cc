@@ -40,7 +40,7 @@ namespace Biface
         if (!contact.state_of(at.state).active[point])
           continue;
         const ContactPoints::OnCell &on_cell = points.on_cell()[i];
-        const double                 area    = at.cell.geometry.weight;
+        const std::array<double, 4>  areas   = points.areas(at.cell, i);
         const LinearizedTraction     traction =
           contact.traction(at.state, at.loads, point);
 
@@ -48,8 +48,7 @@ namespace Biface
           {
             Tensor<1, 3> force;
             for (unsigned int k = 0; k < 3; ++k)
-              force[k] =
-                on_cell.forces[r] * area * (frame(r)[k] * traction.value);
+              force[k] = areas[r] * (frame(r)[k] * traction.value);
             MixedElement::add_force(
               force, r, at.cell.sign_of_face(r, contact.face), forces.force);
             // the force acts on the mean and on the half difference of the
@@ -69,8 +68,7 @@ namespace Biface
                 Tensor<2, 3> stiffness;
                 for (unsigned int k = 0; k < 3; ++k)
                   for (unsigned int l = 0; l < 3; ++l)
-                    stiffness[k][l] =
-                      on_cell.forces[r] * area * (frame(r)[k] * columns[l]);
+                    stiffness[k][l] = areas[r] * (frame(r)[k] * columns[l]);
                 MixedElement::add_stiffness(
                   stiffness,
                   r,
@@ -179,15 +177,13 @@ namespace Biface
           cross_product_3d(rates.angular_velocity_of(body->body),
                            traction.value) +
           rates.angular_velocity * traction.per_angular_velocity;
+        const std::array<double, 4> areas = points.areas(at.cell, i);
         for (unsigned int r = 0; r < 4; ++r)
           {
             const Tensor<1, 3> m =
               mesh.nodes[at.cell.nodes[r]].surface.to_frame(change);
-            MixedElement::add_force(points.on_cell()[i].forces[r] *
-                                      at.cell.geometry.weight * m,
-                                    r,
-                                    at.cell.sign_of_face(r, contact.face),
-                                    force);
+            MixedElement::add_force(
+              areas[r] * m, r, at.cell.sign_of_face(r, contact.face), force);
           }
       }
   }

@@ -55,7 +55,7 @@ namespace Biface
           {
             const unsigned int n = points.number(cell, i);
             if (zone.active[n])
-              function(n, points.on_cell()[i].area * cell.geometry.weight);
+              function(n, points.area(cell, i));
           }
     }
   } // namespace

@@ -64,12 +64,12 @@ namespace Biface
             contact_traction(
               zone, &body, n, points.position(state.displacement, n))
               .total;
-          const bool slipping = slips(zone, &body, n);
+          const bool slipping    = slips(zone, &body, n);
+          const auto of_vertices = points.areas(cell, i);
           for (unsigned int v = 0; v < 4; ++v)
             {
               const Node  &node = mesh.nodes[cell.nodes[v]];
-              const double area =
-                points.on_cell()[i].forces[v] * cell.geometry.weight;
+              const double area = of_vertices[v];
               areas(node.dof(0, MixedElement::mean)) += area;
               if (!zone.active[n])
                 continue;

@@ -51,20 +51,21 @@ namespace Biface
   {
     // half of the dashpots on each face: the same stiffness for the mean and
     // for half the difference
-    const double              area = at.cell.geometry.weight / 4;
-    MixedElement::NodalVector force;
+    const bool in_equilibrium = at.loads.part_of_stage == 0;
     // outside of a step the tractions of the last one, in which its end is in
     // equilibrium
-    if (at.loads.part_of_stage == 0)
-      force = area * remembered(at.state, at.index, n);
-    else
+    const double per_area =
+      in_equilibrium ? 1. : -at.loads.damping / at.loads.part_of_stage;
+    MixedElement::NodalVector force =
+      in_equilibrium ? remembered(at.state, at.index, n)
+                     : at.V - remembered(at.state, at.index, 0);
+    for (unsigned int i = 0; i < n; ++i)
       {
-        const double stiffness =
-          area * at.loads.damping / at.loads.part_of_stage;
-        force = -stiffness * (at.V - remembered(at.state, at.index, 0));
-        if (forces.with_tangent)
-          for (unsigned int i = 0; i < n; ++i)
-            forces.tangent[i][i] += stiffness;
+        const double factor =
+          per_area * at.cell.geometry.vertex_areas[i / (n / 4)];
+        force[i] *= factor;
+        if (!in_equilibrium && forces.with_tangent)
+          forces.tangent[i][i] -= factor;
       }
     forces.force += force;
     forces.square += force.norm_square();

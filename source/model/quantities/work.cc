@@ -34,12 +34,12 @@ namespace Biface
               continue;
             const Tensor<1, 3> traction =
               pair.traction_of_multipliers(at.state, at.loads, point).total;
+            const std::array<double, 4> areas = points.areas(cell, i);
             for (unsigned int r = 0; r < 4; ++r)
-              work += points.on_cell()[i].forces[r] * cell.geometry.weight *
-                      (traction *
-                       motion(mesh.deformed_position(at.state.displacement,
-                                                     mesh.nodes[cell.nodes[r]],
-                                                     pair.face)));
+              work += areas[r] * (traction * motion(mesh.deformed_position(
+                                               at.state.displacement,
+                                               mesh.nodes[cell.nodes[r]],
+                                               pair.face)));
           }
       return Utilities::MPI::sum(work, mesh.communicator);
     }

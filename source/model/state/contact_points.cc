@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include <biface/contact/contact_condition.h>
 #include <biface/model/state/contact_points.h>
@@ -21,15 +20,18 @@ namespace Biface
       {
         // with the consistent mortar matrix, the traction at a node acts on all
         // nodes of the cell
-        const auto M = mortar_matrix(mass, 1);
-        for (unsigned int s = 0; s < 4; ++s)
+        points_on_cell.resize(4);
+        for (unsigned int d = 0; d < 3; ++d)
           {
-            OnCell point{};
-            point.position[s] = 1;
-            for (unsigned int r = 0; r < 4; ++r)
-              point.forces[r] = M[r][s];
-            points_on_cell.push_back(point);
+            std::array<double, 3> density{};
+            density[d]   = 1;
+            const auto M = mortar_matrix(mass, density);
+            for (unsigned int s = 0; s < 4; ++s)
+              for (unsigned int r = 0; r < 4; ++r)
+                points_on_cell[s].forces[d][r] = M[r][s];
           }
+        for (unsigned int s = 0; s < 4; ++s)
+          points_on_cell[s].position[s] = 1;
       }
     for (unsigned int i = 0; i < per_cell(); ++i)
       {
@@ -41,13 +43,12 @@ namespace Biface
           {
             point.position[v] =
               (v & 1 ? x[0] : 1 - x[0]) * (v & 2 ? x[1] : 1 - x[1]);
-            point.forces[v] = point.position[v] / per_cell();
+            point.forces[0][v] = point.position[v] / per_cell();
+            for (unsigned int a = 0; a < 2; ++a)
+              point.forces[1 + a][v] = point.forces[0][v] * (2 * x[a] - 1);
           }
         points_on_cell.push_back(point);
       }
-    for (OnCell &point : points_on_cell)
-      point.area =
-        std::accumulate(point.forces.begin(), point.forces.end(), 0.);
   }
 
 

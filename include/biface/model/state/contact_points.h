@@ -52,10 +52,10 @@ namespace Biface
       /** The weights of the vertices in the position of the point, whose sum is
        * 1. */
       std::array<double, 4> position;
-      /** The fractions of the area of the cell by which a traction at the point
-       * acts on the vertices, and their sum. */
-      std::array<double, 4> forces;
-      double                area;
+      /** The forces on the vertices by a traction at the point, with a density
+       * of area of 1 and with those that are odd in either coordinate, see
+       * ElementGeometry::area_density(). */
+      std::array<std::array<double, 4>, 3> forces;
     };
 
     /** The points of a cell, which are the same in all cells. Nodes belong to
@@ -73,6 +73,36 @@ namespace Biface
     {
       return at_nodes() ? cell.nodes[i]
                         : (&cell - mesh.cells.data()) * per_cell() + i;
+    }
+
+    /** The areas by which a traction at a point of a cell acts on the vertices.
+     * Unit: area.
+     * @param i the position of the point in on_cell(). */
+    std::array<double, 4>
+    areas(const Cell &cell, const unsigned int i) const
+    {
+      const auto           &of_density = points_on_cell[i].forces;
+      std::array<double, 4> result;
+      for (unsigned int v = 0; v < 4; ++v)
+        result[v] = cell.geometry.weight * of_density[0][v];
+      if (!cell.geometry.along_lines)
+        {
+          const std::array<double, 3> density = cell.geometry.area_density();
+          for (unsigned int v = 0; v < 4; ++v)
+            result[v] +=
+              density[1] * of_density[1][v] + density[2] * of_density[2][v];
+        }
+      return result;
+    }
+
+    /** The area of a point of a cell, the sum of areas(). Unit: area. */
+    double
+    area(const Cell &cell, const unsigned int i) const
+    {
+      double sum = 0;
+      for (const double of_vertex : areas(cell, i))
+        sum += of_vertex;
+      return sum;
     }
 
     bool
