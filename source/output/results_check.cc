@@ -64,17 +64,23 @@ namespace Biface
     double
     largest_turn(const ShellMesh &mesh)
     {
+      const auto cosine_between =
+        [&](const Cell &cell, const unsigned int q, const unsigned int r) {
+          // the directions of a mesh without lines may turn in the surface
+          if (!mesh.grid.has_lines())
+            return mesh.nodes[cell.nodes[q]].surface.frame[2] *
+                   mesh.nodes[cell.nodes[r]].surface.frame[2];
+          // the trace of a rotation is 1 plus twice the cosine of its angle
+          return (trace(transpose(cell.geometry.vertices[q].axes) *
+                        cell.geometry.vertices[r].axes) -
+                  1) /
+                 2;
+        };
       double cosine = 1;
       for (const Cell &cell : mesh.wall_elements())
         for (unsigned int q = 0; q < 4; ++q)
           for (unsigned int a = 0; a < 2; ++a)
-            // the trace of a rotation is 1 plus twice the cosine of its angle
-            cosine =
-              std::min(cosine,
-                       (trace(transpose(cell.geometry.vertices[q].axes) *
-                              cell.geometry.vertices[q ^ (1 << a)].axes) -
-                        1) /
-                         2);
+            cosine = std::min(cosine, cosine_between(cell, q, q ^ (1 << a)));
       return std::acos(
         std::max(-1., Utilities::MPI::min(cosine, mesh.communicator)));
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/geometry_info.h>
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
@@ -299,40 +300,59 @@ namespace Biface
     }
 
 
-    /** The same on a mesh without lines, on all ranks: a node in contact covers
-     * its cells up to halfway to its neighbors. */
+    /** The parts of a cell that its points of contact cover, by their corners
+     * in the unit cell: the nodes up to halfway to their neighbors, other
+     * points equal parts. */
+    std::vector<std::array<Point<2>, 2>>
+    parts_of_cell(const ContactPoints &points)
+    {
+      const unsigned int k = (points.at_nodes() ? 2 : points.per_side());
+      std::vector<std::array<Point<2>, 2>> parts;
+      for (unsigned int j = 0; j < k; ++j)
+        for (unsigned int i = 0; i < k; ++i)
+          parts.push_back({{Point<2>(i, j) / k, Point<2>(i + 1, j + 1) / k}});
+      return parts;
+    }
+
+
+    /** The same on a mesh without lines, on all ranks: each point of contact
+     * covers its part of the cell. */
     Footprint
-    measure_by_cells(const ContactPair  &pair,
-                     const State        &state,
-                     const PlacedBody   &placed,
-                     const ContactState &zone)
+    measure_by_cells(const ContactPair &pair,
+                     const State       &state,
+                     const PlacedBody  &placed)
     {
       const ShellMesh &mesh       = pair.mesh;
+      const ActiveSet &active     = pair.state_of(state).active;
       const auto       directions = directions_of_zone(placed.body.direction());
+      const auto       parts      = parts_of_cell(pair.points);
       Footprint        result;
       std::array<Range, 2> extents;
       for (const Cell &cell : mesh.wall_elements())
         {
           std::array<Point<3>, 4> x;
-          Point<3>                center;
           for (unsigned int v = 0; v < 4; ++v)
+            x[v] = mesh.deformed_position(
+              state.displacement, mesh.nodes[cell.nodes[v]], pair.face);
+          for (unsigned int i = 0; i < parts.size(); ++i)
             {
-              x[v] = mesh.deformed_position(
-                state.displacement, mesh.nodes[cell.nodes[v]], pair.face);
-              center += x[v] / 4;
-            }
-          for (unsigned int v = 0; v < 4; ++v)
-            {
-              if (!zone.active[cell.nodes[v]])
+              if (!active[pair.points.number(cell, i)])
                 continue;
-              const Point<3> one = x[v] + (x[v ^ 1] - x[v]) / 2,
-                             two = x[v] + (x[v ^ 2] - x[v]) / 2;
-              // of the quadrilateral of the vertex, by its diagonals
-              result.area +=
-                cross_product_3d(center - x[v], two - one).norm() / 2;
-              for (const Point<3> &end : {x[v], one, two})
-                for (unsigned int d = 0; d < 2; ++d)
-                  extents[d].add(end * directions[d]);
+              std::array<Point<3>, 4> corners;
+              for (unsigned int c = 0; c < 4; ++c)
+                {
+                  const Point<2> xi(parts[i][c & 1][0], parts[i][c >> 1][1]);
+                  for (unsigned int v = 0; v < 4; ++v)
+                    corners[c] +=
+                      GeometryInfo<2>::d_linear_shape_function(xi, v) * x[v];
+                  for (unsigned int d = 0; d < 2; ++d)
+                    extents[d].add(corners[c] * directions[d]);
+                }
+              // by its diagonals
+              result.area += cross_product_3d(corners[3] - corners[0],
+                                              corners[2] - corners[1])
+                               .norm() /
+                             2;
             }
         }
       const MPI_Comm communicator = mesh.communicator;
@@ -363,7 +383,7 @@ namespace Biface
     const ContactState zone =
       contact_at_nodes(mesh, state, pair.number, placed);
     if (!mesh.grid.has_lines())
-      result = measure_by_cells(pair, state, placed, zone);
+      result = measure_by_cells(pair, state, placed);
     const auto   nodes = gather_nodes(pair, state, placed, zone);
     const double max_pressure =
       max_recovered_pressure(pair, zone, nodes.size());

@@ -31,7 +31,8 @@ namespace Biface
    * nodes.
    *
    * On a mesh without lines a node in contact covers its cells up to halfway to
-   * its neighbors, so that the edge jumps by half a cell with a node.
+   * its neighbors, so that the edge jumps by half a cell with a node; and a
+   * point in a cell covers its part of the cell.
    */
   struct Footprint
   {
