@@ -53,6 +53,10 @@ end
 - **Direction** is the direction of alpha_1, from which the angles of plies count: a vector, or a formula of the
   position, that is projected into the surface. `-y; x; 0` runs around the z axis. Components v_1 and v_2 of
   supports and `local` loads are along it and across it.
+- **Plies by group**: `cord: 1 @ 30 in flange` in `Laminate/Plies` covers only the cells of the group `flange` (a
+  `Physical Surface` or an `*ELSET`). Where groups meet, their walls share the
+  displacements of the director, as where a ply ends on other shells, and contact sees the mean of their faces. Plies of all groups
+  stand in one list, by which `Layers` and `Initial ply stresses` count them.
 - **Normals** are the means of the cells around a node. Cells that meet at more than `Fold angle`, 20 degrees, are
   refused: folds and joints of several shells are not possible. On a coarse mesh of a smooth surface the angle may be larger.
   Edges with `symmetry x`, `symmetry y` or `symmetry z` keep their normals in the plane of symmetry.
@@ -64,8 +68,9 @@ thickness is 7 % softer, as a crumpled plate is. The mesh itself is the surface:
 $`\\theta`$, the chords are shorter than the arcs by $`\\theta^2/24`$.
 
 What needs coordinates is refused in one sentence before the first step: rolling and heat, sealed gas and end
-plates, multigrid and coarse meshes, imperfections, and plies that end or vary. Layers, rubber, cords that go slack and
-relaxation are those of other shells.
+plates, multigrid and coarse meshes, and plies and imperfections by alpha_1 and alpha_2. Layers, rubber, cords that go slack and
+relaxation are those of other shells. Derivatives of the length, width and area of the footprint are refused, too, since these jump by
+half a cell with a node.
 The places of maxima in history.csv, which are coordinates, are nan.
 
 ## Published values on regular and irregular meshes

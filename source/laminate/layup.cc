@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -42,7 +43,9 @@ namespace Biface
                "to B' if the ply covers only this part of alpha_1 "
                "(between two mesh lines; the jump in thickness is "
                "spread over the cells on both sides; both may be formulas "
-               "of 'end', the largest alpha_1 of the surface). The angle "
+               "of 'end', the largest alpha_1 of the surface), or on a mesh "
+               "from a file by 'in GROUP' if it covers only this group of "
+               "cells. The angle "
                "of the material's first axis is measured from the first "
                "coordinate line (the meridian) toward the second, see "
                "'Angle reference'. An angle '+-A' means two plies, at A and "
@@ -64,8 +67,8 @@ namespace Biface
       plies_file,
       parse_file_name,
       "A CSV file with the plies instead of 'Plies': a line for each, "
-      "inner ply first, 'material, thickness, angle' or 'material, "
-      "thickness, angle, from, to', after a line of these names, which may "
+      "inner ply first, 'material, thickness, angle', followed by 'from, to' "
+      "or 'group' as in 'Plies', after a line of these names, which may "
       "be missing; lines that start with '#' are comments. The "
       "cells are as in 'Plies'; those with a comma outside of "
       "parentheses stand in double quotes. In parameters.prm the "
@@ -394,6 +397,30 @@ namespace Biface
     }
 
 
+    /** Throw InputError if there is no group of cells that a ply covers. */
+    void
+    check_group(const PlyParameters &ply, const SurfaceOfPlies &surface)
+    {
+      if (ply.group.empty())
+        return;
+      if (!surface.groups)
+        throw InputError("Laminate/Plies",
+                         ply.text,
+                         "only a mesh from a file has groups; use 'from A to "
+                         "B'");
+      std::string names;
+      for (const std::string &name : *surface.groups)
+        if (name == ply.group)
+          return;
+        else
+          names += (names.empty() ? "'" : ", '") + name + "'";
+      throw InputError("Laminate/Plies",
+                       ply.text,
+                       names.empty() ? "the mesh has no group of cells"
+                                     : "the groups of cells are " + names);
+    }
+
+
     /** A ply without its initial stress. Throws InputError if it covers
      * nothing. */
     PlyDescription
@@ -419,6 +446,8 @@ namespace Biface
           return material.laws(0, initial);
         };
       std::tie(ply.begin, ply.end) = given.covered_part(surface.end);
+      ply.group                    = given.group;
+      check_group(given, surface);
       return ply;
     }
 
@@ -623,6 +652,29 @@ namespace Biface
         wall.n_below += n_plies;
         wall.height_below += thickness;
       }
+    return result;
+  }
+
+
+  std::set<std::string>
+  Layup::groups() const
+  {
+    std::set<std::string> result;
+    for (const PlyDescription &ply : plies)
+      result.insert(ply.group);
+    return result;
+  }
+
+
+  Layup
+  Layup::in_groups(const std::set<std::string> &groups) const
+  {
+    Layup result = *this;
+    for (PlyDescription &ply : result.plies)
+      if (!ply.group.empty() && groups.count(ply.group) == 0)
+        std::tie(ply.begin, ply.end) =
+          std::make_pair(std::numeric_limits<double>::infinity(),
+                         -std::numeric_limits<double>::infinity());
     return result;
   }
 

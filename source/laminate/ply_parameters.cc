@@ -56,6 +56,30 @@ namespace Biface
     }
 
 
+    /** Take "in GROUP" off the end of the angle of the ply @p text, if
+     * present. */
+    std::string
+    take_group(const std::string &entry,
+               const std::string &text,
+               std::string       &angle)
+    {
+      const auto in = angle.find(" in ");
+      if (in == std::string::npos)
+        return {};
+      std::string group = Utilities::trim(angle.substr(in + 4));
+      // a name that contains commas or parentheses
+      if (group.size() >= 2 && group.front() == '"' && group.back() == '"')
+        group = group.substr(1, group.size() - 2);
+      if (group.empty())
+        throw InputError(entry,
+                         text,
+                         "the covered part must have the form 'in GROUP' with "
+                         "the name of a group of cells");
+      angle.erase(in);
+      return group;
+    }
+
+
     /** Read a ply, or two with the angle '+-A' or '-+A'. */
     void
     parse_ply(const std::string          &entry,
@@ -67,6 +91,7 @@ namespace Biface
       if (colon == std::string::npos || at == std::string::npos || at < colon)
         throw InputError(entry, item, ply_form);
       std::string       angle = item.substr(at + 1);
+      const std::string group = take_group(entry, item, angle);
       const auto        range = take_range(entry, item, angle);
       const std::string thickness =
         Utilities::trim(item.substr(colon + 1, at - colon - 1));
@@ -96,7 +121,8 @@ namespace Biface
                            Utilities::trim(item.substr(0, colon)),
                            parse_ply_formula(entry, thickness),
                            parse_ply_formula(entry, one),
-                           range});
+                           range,
+                           group});
         }
     }
 
@@ -215,8 +241,9 @@ namespace Biface
   plies_of_csv(const std::string &text, const std::string &name)
   {
     const std::string form =
-      "each line must contain 'material, thickness, angle' or 'material, "
-      "thickness, angle, from, to', separated by commas, semicolons or tabs, "
+      "each line must contain 'material, thickness, angle', 'material, "
+      "thickness, angle, group' or 'material, thickness, angle, from, to', "
+      "separated by commas, semicolons or tabs, "
       "without '#', '@', ':' and backslashes";
     std::string plies;
     bool        header_allowed = true;
@@ -250,12 +277,14 @@ namespace Biface
         header_allowed = false;
         if (is_header)
           continue;
-        if ((cells.size() != 3 && cells.size() != 5) ||
+        if (cells.size() < 3 || cells.size() > 5 ||
             line.text.find_first_of("#@:\\") != std::string::npos)
           throw InputError(line.place, line.text, form);
         const std::string ply =
           cells[0] + ": " + cells[1] + " @ " + cells[2] +
-          (cells.size() == 5 ? " from " + cells[3] + " to " + cells[4] : "");
+          (cells.size() == 5   ? " from " + cells[3] + " to " + cells[4]
+           : cells.size() == 4 ? " in \"" + cells[3] + '"'
+                               : "");
         parse_plies(line.place, ply);
         plies += (plies.empty() ? "" : ", ") + ply;
       }

@@ -64,10 +64,13 @@ namespace Biface
       throw InputError("the section 'Linear solver' must choose the direct "
                        "solver, and not a multigrid," +
                        why + ".");
-    if (!surface.imperfection.is_zero())
-      throw InputError("Surface/Imperfection/Formula",
-                       surface.imperfection.formula,
-                       "imperfections are not possible" + why);
+    for (const std::string &name :
+         Formula("Surface/Imperfection/Formula", surface.imperfection.formula)
+           .used_names())
+      if (name != "x" && name != "y" && name != "z")
+        throw InputError("Surface/Imperfection/Formula",
+                         surface.imperfection.formula,
+                         "it must be a formula of x, y and z" + why);
     if (laminate.integrals == ThicknessIntegrals::shell)
       throw InputError("Laminate/Integrals",
                        "shell",
@@ -94,6 +97,17 @@ namespace Biface
         throw InputError("Loads/Edge forces",
                          force.text,
                          "'true length' is not possible" + why);
+    for (const std::string &output : sensitivities.outputs)
+      for (const std::string of_footprint : {"footprint_length",
+                                             "footprint_width",
+                                             "footprint_area",
+                                             "mean_pressure",
+                                             "load_ratio"})
+        if (output == of_footprint)
+          throw InputError("Sensitivities/Outputs",
+                           output,
+                           "on a mesh from a file it has no derivative, since "
+                           "it jumps with each node in contact");
     if (!pressure.end_plates.empty())
       throw InputError("the entry 'Loads/End plates' must be empty" + why +
                        ".");

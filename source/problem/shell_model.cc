@@ -17,6 +17,7 @@
 #include <biface/problem/expected_cost.h>
 #include <biface/problem/shell_model.h>
 #include <biface/surface/imperfection.h>
+#include <biface/surface/quadrilateral_mesh.h>
 #include <biface/surface/reference_surface.h>
 
 namespace Biface
@@ -28,9 +29,16 @@ namespace Biface
     Layup
     make_layup(const Parameters &parameters, const ChartGrid &finest)
     {
-      return {parameters.laminate,
-              parameters.materials,
-              plies_on_surface(make_surface(parameters.surface), finest)};
+      SurfaceOfPlies surface =
+        plies_on_surface(make_surface(parameters.surface), finest);
+      if (const auto &mesh = parameters.surface.mesh.mesh)
+        {
+          surface.groups.emplace();
+          for (const QuadrilateralMesh::Group &group : mesh->groups)
+            if (!group.cells.empty())
+              surface.groups->push_back(group.name);
+        }
+      return {parameters.laminate, parameters.materials, surface};
     }
 
 
@@ -85,25 +93,25 @@ namespace Biface
     check_memory(parameters, given, communicator);
     const Layup                   layup  = make_layup(parameters, finest);
     const std::vector<NamedPoint> points = parameters.points.on(*surface);
-    if (!surface->has_chart())
-      return std::make_shared<ShellMesh>(communicator,
-                                         std::move(surface),
-                                         given,
-                                         parameters.surface.mesh,
-                                         layup,
-                                         parameters.supports,
-                                         points,
-                                         parameters.element.thickness_strain);
-    const auto mesh =
-      std::make_shared<ShellMesh>(communicator,
-                                  std::move(surface),
-                                  given,
-                                  layup,
-                                  parameters.supports,
-                                  points,
-                                  parameters.element.sampling,
-                                  parameters.element.interpolation,
-                                  parameters.element.thickness_strain);
+    const auto                    mesh =
+      surface->has_chart()
+                           ? std::make_shared<ShellMesh>(communicator,
+                                      std::move(surface),
+                                      given,
+                                      layup,
+                                      parameters.supports,
+                                      points,
+                                      parameters.element.sampling,
+                                      parameters.element.interpolation,
+                                      parameters.element.thickness_strain)
+                           : std::make_shared<ShellMesh>(communicator,
+                                      std::move(surface),
+                                      given,
+                                      parameters.surface.mesh,
+                                      layup,
+                                      parameters.supports,
+                                      points,
+                                      parameters.element.thickness_strain);
     if (!parameters.surface.imperfection.is_zero())
       mesh->add_imperfection(
         Imperfection(parameters.surface.imperfection, mesh->get_surface()));

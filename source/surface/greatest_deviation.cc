@@ -14,13 +14,19 @@ namespace Biface
   using namespace dealii;
 
   void
-  GreatestDeviation::add(const double                 deviation,
-                         const std::array<double, 2> &curvature,
-                         const Point<2>              &alpha)
+  GreatestDeviation::add(const double    deviation,
+                         const double    curvature,
+                         const Point<3> &x,
+                         const Point<2> &alpha)
   {
-    const double k = std::max(std::abs(curvature[0]), std::abs(curvature[1]));
-    worst          = std::min(
-      worst, {{-std::abs(deviation) * k, alpha[0], alpha[1], deviation}});
+    worst = std::min(worst,
+                     {{-std::abs(deviation) * curvature,
+                       x[0],
+                       x[1],
+                       x[2],
+                       deviation,
+                       alpha[0],
+                       alpha[1]}});
   }
 
 
@@ -30,20 +36,24 @@ namespace Biface
   {
     // the same place on all ranks, whatever the partition
     const auto by_rank = Utilities::MPI::all_gather(communicator, worst);
-    const auto [part, alpha_1, alpha_2, deviation] =
+    const auto [part, x, y, z, deviation, alpha_1, alpha_2] =
       *std::min_element(by_rank.begin(), by_rank.end());
     if (-part <= allowed)
       return;
-    const auto in_unit = [&](const unsigned int a, const double alpha) {
+    const auto in_unit = [&surface](const unsigned int a, const double alpha) {
       // without round-off
       return coordinate_to_string(alpha / surface.coordinate_unit(a), 1e3);
     };
+    const std::string place =
+      surface.has_chart()
+        ? "alpha_1 = " + in_unit(0, alpha_1) +
+            ", alpha_2 = " + in_unit(1, alpha_2)
+        : "x, y, z = (" + vector_to_string(Tensor<1, 3>({x, y, z})) + ")";
     const double radius = std::abs(deviation / part);
     throw InputError(
       "the section 'Surface/Imperfection' describes a deviation of " +
-      number_to_string(deviation) + " at alpha_1 = " + in_unit(0, alpha_1) +
-      ", alpha_2 = " + in_unit(1, alpha_2) + ", but it must be at most " +
-      number_to_string(allowed) +
+      number_to_string(deviation) + " at " + place +
+      ", but it must be at most " + number_to_string(allowed) +
       " of the smaller radius of curvature there, which is " +
       number_to_string(radius) + ".");
   }

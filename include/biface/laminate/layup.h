@@ -6,6 +6,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,8 @@ namespace Biface
     /** The part of the meridian that the ply covers, in the user's unit;
      * infinite without bounds. */
     double begin, end;
+    /** The group of cells that the ply covers; empty if it covers all. */
+    std::string group;
     /** The initial stress in the axes of the ply as a function of
      * @f$\alpha_1@f$; empty for none. Unit: force/area. */
     std::function<dealii::SymmetricTensor<2, 3>(const double)> initial_stress;
@@ -153,6 +156,16 @@ namespace Biface
      * layer first; empty where no ply of a layer covers the position. */
     std::vector<std::optional<Laminate>>
     layers(const double alpha_1, const double within) const;
+
+    /** The groups of cells that plies cover; with an empty name if any covers
+     * all. */
+    std::set<std::string>
+    groups() const;
+
+    /** The layup of the cells that are in given groups of a mesh: the plies of
+     * other groups cover nothing, and all keep their numbers. */
+    Layup
+    in_groups(const std::set<std::string> &groups) const;
 
     /** The number of layers of the wall. */
     unsigned int

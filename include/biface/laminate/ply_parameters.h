@@ -27,6 +27,8 @@ namespace Biface
     /** The begin and the end of the part of the meridian that the ply covers,
      * if not all. */
     std::optional<std::pair<Coordinate, Coordinate>> range;
+    /** The group of cells that the ply covers; empty if it covers all. */
+    std::string group;
 
     /** The range as numbers, without bounds if the ply covers all. Throws
      * InputError if it covers nothing.
@@ -35,16 +37,17 @@ namespace Biface
     covered_part(const double end) const;
   };
 
-  /** Read plies, 'material: thickness @@ angle from A to B' separated by
-   * commas. An angle '+-A' is a ply at A and one at -A, '-+A' the other way
-   * round; 'N x (...)' repeats the plies in parentheses. Throws InputError
-   * where they are malformed. */
+  /** Read plies, 'material: thickness @@ angle from A to B' or 'material:
+   * thickness @@ angle in GROUP', separated by commas. An angle '+-A' is a ply
+   * at A and one at -A, '-+A' the other way round; 'N x (...)' repeats the
+   * plies in parentheses. Throws InputError where they are malformed. */
   std::vector<PlyParameters>
   parse_plies(const std::string &entry, const std::string &text);
 
 
   /** The list that parse_plies() takes of the plies in the text of a CSV file:
-   * 'material, thickness, angle, from, to', the last two where there are any.
+   * 'material, thickness, angle, from, to' or 'material, thickness, angle,
+   * group', the last ones where there are any.
    * Throws InputError where a line is malformed.
    * @param name that of the file. */
   std::string

@@ -7,6 +7,8 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace Biface
 {
@@ -33,6 +35,9 @@ namespace Biface
 
     /** The value of `end` in entries, infinite if the surface has no end. */
     double end = std::numeric_limits<double>::infinity();
+
+    /** The names of the groups of cells, if the surface is a mesh. */
+    std::optional<std::vector<std::string>> groups;
   };
 
 

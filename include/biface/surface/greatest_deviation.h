@@ -25,12 +25,16 @@ namespace Biface
 
     /** Add a point.
      * @param deviation along the normal. Unit: length.
-     * @param curvature the principal curvatures. Unit: 1/length.
-     * @param alpha the coordinates in internal units. */
+     * @param curvature the larger principal curvature without its sign. Unit:
+     * 1/length.
+     * @param x the position.
+     * @param alpha the coordinates in internal units, if the surface has any.
+     */
     void
-    add(const double                 deviation,
-        const std::array<double, 2> &curvature,
-        const dealii::Point<2>      &alpha);
+    add(const double            deviation,
+        const double            curvature,
+        const dealii::Point<3> &x,
+        const dealii::Point<2> &alpha);
 
     /** Throws InputError, on all ranks, if that of any rank is too large. Must
      * be called on all ranks. */
@@ -38,9 +42,10 @@ namespace Biface
     check(const ReferenceSurface &surface, const MPI_Comm communicator) const;
 
   private:
-    /** Minus the part of the radius, both coordinates, the deviation: of
-     * several points with the same part, the first one counts. */
-    std::array<double, 4> worst{{0, 0, 0, 0}};
+    /** Minus the part of the radius, the position, the deviation, both
+     * coordinates: of several points with the same part, the first one
+     * counts. */
+    std::array<double, 7> worst{};
   };
 } // namespace Biface
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
@@ -16,6 +17,7 @@
 #include <biface/element/quadrilateral_geometry.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/laminate/layup.h>
+#include <biface/model/mesh/faces_of_layers.h>
 #include <biface/model/mesh/parallel_triangulation.h>
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/mesh/strip.h>
@@ -137,14 +139,16 @@ namespace Biface
     }
 
 
-    /** Throw InputError if a face is turned inside out in any cell. */
+    /** Throw InputError if a face is turned inside out in any cell.
+     * @param heights those of the inner and the outer face in a cell. */
     void
-    check_faces(const QuadrilateralMesh         &mesh,
-                const std::vector<Tensor<1, 3>> &normals,
-                const std::array<double, 2>     &heights)
+    check_faces(
+      const QuadrilateralMesh                                        &mesh,
+      const std::vector<Tensor<1, 3>>                                &normals,
+      const std::function<std::array<double, 2>(const unsigned int)> &heights)
     {
       for (unsigned int c = 0; c < mesh.cells.size(); ++c)
-        for (const double height : heights)
+        for (const double height : heights(c))
           {
             std::array<Tensor<1, 3>, 4> x;
             for (unsigned int v = 0; v < 4; ++v)
@@ -176,8 +180,50 @@ namespace Biface
   } // namespace
 
 
-  std::vector<Strip>
-  ShellMesh::strips_without_lines(const Layup &layup)
+  class ShellMesh::StripsOfGroups
+  {
+  public:
+    /** @param groups the sets of groups of cells, see find_groups(). */
+    StripsOfGroups(const Layup                              &layup,
+                   const std::vector<std::set<std::string>> &groups);
+
+    /** The strips of the wall by the sets, followed by those of single layers
+     * if there are several. */
+    std::vector<Strip> strips;
+
+    /** `[s][k]` is the position in @p strips of the layer k in the set s; an
+     * invalid number if it does not exist there. */
+    std::vector<std::vector<unsigned int>> layers;
+
+    /** The heights of all faces by the sets, inner face first. */
+    std::vector<std::vector<double>> heights;
+
+    /** The number of elements of a column: the wall and, if there are several,
+     * its layers. */
+    unsigned int
+    n_elements(const unsigned int set) const
+    {
+      return layers[set].size() == 1
+               ? 1
+               : 1 + layers[set].size() -
+                   std::count(layers[set].begin(),
+                              layers[set].end(),
+                              numbers::invalid_unsigned_int);
+    }
+
+    /** The heights of all faces at a node: the means of the sets around it. */
+    std::vector<double>
+    mean_heights(const std::set<unsigned int> &around) const;
+
+    /** The stiffest_layer() at a node of those that exist in all sets around
+     * it; an invalid number if there is none. */
+    unsigned int
+    stiffest(const std::set<unsigned int> &around) const;
+  };
+
+
+  ShellMesh::StripsOfGroups::StripsOfGroups(
+    const Layup &layup, const std::vector<std::set<std::string>> &groups)
   {
     for (const PlyDescription &ply : layup.get_plies())
       // a formula or a table of a coordinate would not have one value
@@ -187,14 +233,104 @@ namespace Biface
             std::isfinite(ply.end))
           throw InputError("Laminate/Plies",
                            ply.text,
-                           "thickness and angle must be constant, and the ply "
-                           "must not end, on a mesh from a file, which has no "
-                           "coordinates");
-    const Laminate     laminate = layup.laminate(0);
-    std::vector<Strip> result{{laminate, {{laminate, laminate}}}};
-    if (layup.n_layers() > 1)
-      for (const std::optional<Laminate> &layer : layup.layers(0, 0))
-        result.push_back({*layer, {{*layer, *layer}}});
+                           "thickness and angle must be constant on a mesh "
+                           "from a file, which has no coordinates, and a ply "
+                           "ends by 'in GROUP'");
+    for (const std::set<std::string> &set : groups)
+      {
+        const Laminate laminate = layup.in_groups(set).laminate(0);
+        strips.push_back({laminate, {{laminate, laminate}}});
+      }
+    for (unsigned int s = 0; s < groups.size(); ++s)
+      {
+        const std::array<double, 2> wall = strips[s].laminate.face_heights();
+        if (layup.n_layers() == 1)
+          {
+            layers.push_back({s});
+            heights.push_back({wall[0], wall[1]});
+            continue;
+          }
+        const auto of_set = layup.in_groups(groups[s]).layers(0, 0);
+        layers.emplace_back();
+        for (const std::optional<Laminate> &layer : of_set)
+          if (layer)
+            {
+              layers[s].push_back(strips.size());
+              strips.push_back({*layer, {{*layer, *layer}}});
+            }
+          else
+            layers[s].push_back(numbers::invalid_unsigned_int);
+        heights.push_back(heights_of_faces(wall, of_set));
+      }
+  }
+
+
+  std::vector<double>
+  ShellMesh::StripsOfGroups::mean_heights(
+    const std::set<unsigned int> &around) const
+  {
+    // without round-off where all cells have the same plies
+    if (around.size() == 1)
+      return heights[*around.begin()];
+    std::vector<double> mean(heights[0].size());
+    for (const unsigned int s : around)
+      for (unsigned int k = 0; k < mean.size(); ++k)
+        mean[k] += heights[s][k] / around.size();
+    return mean;
+  }
+
+
+  unsigned int
+  ShellMesh::StripsOfGroups::stiffest(
+    const std::set<unsigned int> &around) const
+  {
+    std::vector<double> stiffness(layers[0].size(), 0.);
+    for (unsigned int k = 0; k < stiffness.size(); ++k)
+      if (std::all_of(around.begin(), around.end(), [&](const unsigned int s) {
+            return layers[s][k] != numbers::invalid_unsigned_int;
+          }))
+        for (const unsigned int s : around)
+          stiffness[k] += strips[layers[s][k]].laminate.membrane_stiffness();
+    return *std::max_element(stiffness.begin(), stiffness.end()) > 0
+             ? stiffest_layer(stiffness)
+             : numbers::invalid_unsigned_int;
+  }
+
+
+  std::vector<Strip>
+  ShellMesh::strips_of_groups(const Layup                              &layup,
+                              const std::vector<std::set<std::string>> &groups)
+  {
+    return StripsOfGroups(layup, groups).strips;
+  }
+
+
+  std::vector<std::set<std::string>>
+  ShellMesh::find_groups(const Layup               &layup,
+                         const QuadrilateralMesh   &mesh,
+                         std::vector<unsigned int> &of_cells)
+  {
+    const std::set<std::string>        names = layup.groups();
+    std::vector<std::set<std::string>> of_each(mesh.cells.size());
+    for (const QuadrilateralMesh::Group &group : mesh.groups)
+      if (names.count(group.name) > 0)
+        for (const unsigned int c : group.cells)
+          of_each[c].insert(group.name);
+
+    std::map<std::set<std::string>, unsigned int> position;
+    std::vector<std::set<std::string>>            result;
+    of_cells.clear();
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      {
+        const auto found = position.emplace(of_each[c], result.size());
+        of_cells.push_back(found.first->second);
+        if (!found.second)
+          continue;
+        result.push_back(of_each[c]);
+        if (names.count("") == 0 && of_each[c].empty())
+          throw InputError("no ply of the entry 'Laminate/Plies' covers " +
+                           mesh.cell_in_words(c) + ".");
+      }
     return result;
   }
 
@@ -213,10 +349,15 @@ namespace Biface
     , thickness_strain(of_layers(thickness_strain, layup.n_layers()))
   {
     set_layup(layup);
-    strips        = strips_without_lines(*this->layup);
-    max_thickness = strips[0].laminate.thickness();
+    const QuadrilateralMesh  &mesh = *file.mesh;
+    std::vector<unsigned int> set_of_cells;
+    groups_of_strips = find_groups(*this->layup, mesh, set_of_cells);
+    n_walls          = groups_of_strips.size();
+    const StripsOfGroups plies(*this->layup, groups_of_strips);
+    strips = plies.strips;
+    for (unsigned int s = 0; s < n_walls; ++s)
+      max_thickness = std::max(max_thickness, strips[s].laminate.thickness());
 
-    const QuadrilateralMesh &mesh = *file.mesh;
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
     triangulation              = make_parallel_triangulation(
       communicator,
@@ -231,7 +372,7 @@ namespace Biface
       },
       nullptr);
     distribute_dofs();
-    collect_from_file(file, supports);
+    collect_from_file(file, supports, plies, set_of_cells);
     complete(supports, mesh.nodes);
   }
 
@@ -264,7 +405,10 @@ namespace Biface
 
 
   void
-  ShellMesh::collect_from_file(const MeshFile &file, const Supports &supports)
+  ShellMesh::collect_from_file(const MeshFile                  &file,
+                               const Supports                  &supports,
+                               const StripsOfGroups            &plies,
+                               const std::vector<unsigned int> &set_of_cells)
   {
     const QuadrilateralMesh &mesh = *file.mesh;
 
@@ -281,21 +425,35 @@ namespace Biface
         }
     const std::vector<Tensor<1, 3>> normals =
       normals_in_planes(mesh, supports.named_edges, *this, group_of_edge);
-    const std::array<double, 2> heights = strips[0].laminate.face_heights();
-    // those of all faces, the outer one exactly and not up to round-off
-    std::vector<double> all_heights{heights[0]};
-    for (unsigned int k = 1; k < n_layers(); ++k)
-      all_heights.push_back(all_heights.back() +
-                            strips[k].laminate.thickness());
-    all_heights.push_back(heights[1]);
-    if (!(heights[1] - heights[0] < size()))
-      throw InputError("the plies of 'Laminate/Plies' are " +
-                       number_to_string(heights[1] - heights[0]) +
-                       " thick, but the whole mesh is only " +
-                       number_to_string(size()) +
-                       " large: it must be in the same unit of length.");
+    if (!(thickness() < size()))
+      throw InputError(
+        "the plies of 'Laminate/Plies' are " + number_to_string(thickness()) +
+        " thick, but the whole mesh is only " + number_to_string(size()) +
+        " large: it must be in the same unit of length.");
     check_directions(file, *layup);
-    check_faces(mesh, normals, heights);
+    check_faces(mesh, normals, [&](const unsigned int c) {
+      return strips[set_of_cells[c]].laminate.face_heights();
+    });
+    std::vector<std::set<unsigned int>> sets_around(mesh.nodes.size());
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      for (const unsigned int n : mesh.cells[c])
+        sets_around[n].insert(set_of_cells[c]);
+    // elements are numbered without gaps
+    std::vector<types::global_cell_index> first_of_cells{0};
+    for (const unsigned int set : set_of_cells)
+      first_of_cells.push_back(first_of_cells.back() + plies.n_elements(set));
+    std::vector<unsigned int> stiffest;
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+      {
+        stiffest.push_back(plies.stiffest(sets_around[n]));
+        if (stiffest.back() == numbers::invalid_unsigned_int)
+          throw InputError(
+            "the entry 'Laminate/Layers' has no layer with plies in all cells "
+            "around the node at (" +
+            vector_to_string(mesh.nodes[n]) +
+            "), where the wall would be a hinge: put plies of all of them into "
+            "one layer.");
+      }
     // of all nodes on all ranks, which must answer a faulty formula together
     std::vector<Tensor<1, 3>> directions;
     for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
@@ -331,10 +489,11 @@ namespace Biface
       node.surface.lame      = {{1, 1}};
       node.surface.curvature = {{0, 0}};
       node.surface.geodesic  = {{0, 0}};
-      node.face_heights      = heights;
+      const std::vector<double> heights =
+        plies.mean_heights(sets_around[number]);
+      node.face_heights = {{heights.front(), heights.back()}};
       for (unsigned int k = 0; k < n_layers(); ++k)
-        node.half_thickness.push_back((all_heights[k + 1] - all_heights[k]) /
-                                      2);
+        node.half_thickness.push_back((heights[k + 1] - heights[k]) / 2);
       node.locally_owned = false;
       node.face_is_free  = {{true, true}};
       return node;
@@ -417,46 +576,24 @@ namespace Biface
           points.vertices[v] = nodes[cell_nodes[v]].surface;
         points.direction = frame_along(
           normal / normal.norm(), file.direction_at(mesh.center(number)))[0];
-        points.wall_thickness = heights[1] - heights[0];
+        const unsigned int set = set_of_cells[number];
+        points.wall_thickness  = strips[set].laminate.thickness();
 
-        const unsigned int first_of_column = cells.size();
-        const auto         add             = [&](const unsigned int strip,
-                             const unsigned int first,
-                             const unsigned int last) {
-          Cell local;
-          local.nodes    = cell_nodes;
-          local.position = cells.size();
-          local.strip    = strip;
-          local.column   = number;
-          local.is_wall  = (first == 0 && last + 1 == n_layers());
-          local.is_layer = (first == last);
-          local.layer    = first;
-          local.number   = n_layers() == 1 ? number
-                                                               : number * (n_layers() + 1) +
-                                             cells.size() - first_of_column;
-          points.heights.fill({{all_heights[first], all_heights[last + 1]}});
-          for (unsigned int v = 0; v < 4; ++v)
-            {
-              for (unsigned int i = 0; i < n_dofs_per_node(); ++i)
-                local.dofs.push_back(cell->vertex_dof_index(v, i));
-              // the layers at a node are those of the cell
-              if (n_layers() > 1)
-                for (const Cell::Contribution &contribution :
-                     local.is_wall
-                                           ? contributions_to_wall(nodes[cell_nodes[v]],
-                                               points.heights[v])
-                                           : contributions_to_layer(
-                           nodes[cell_nodes[v]], all_heights, 0, first))
-                  local.contributions.push_back(contribution);
-            }
-          local.geometry =
-            quadrilateral_geometry(points, sampling, thickness_strain);
-          cells.push_back(local);
-        };
-        add(0, 0, n_layers() - 1);
-        if (n_layers() > 1)
-          for (unsigned int k = 0; k < n_layers(); ++k)
-            add(k + 1, k, k);
+        Column column;
+        column.wall   = set;
+        column.layers = plies.layers[set];
+        column.heights.fill(plies.heights[set]);
+        for (unsigned int v = 0; v < 4; ++v)
+          column.stiffest[v] = stiffest[mesh.cells[number][v]];
+        add_elements(cell_nodes,
+                     number,
+                     first_of_cells[number],
+                     column,
+                     [&](const std::array<std::array<double, 2>, 4> &heights) {
+                       points.heights = heights;
+                       return quadrilateral_geometry(
+                         points, sampling, thickness_strain);
+                     });
       }
 
     for (const auto &set : adjacent)

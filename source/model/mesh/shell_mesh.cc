@@ -16,6 +16,7 @@
 #include <biface/input/formula.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/laminate/layup.h>
+#include <biface/model/mesh/faces_of_layers.h>
 #include <biface/model/mesh/parallel_triangulation.h>
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/mesh/strip.h>
@@ -52,8 +53,7 @@ namespace Biface
     /** On each line: the mean of both sides if a ply ends there. */
     std::vector<Heights> on_lines;
 
-    /** On each line: the layer on both sides with the largest stiffness in the
-     * shell. Of those that differ by less than a percent, the innermost one. */
+    /** On each line: of the layers on both sides the stiffest_layer(). */
     std::vector<unsigned int> stiffest;
 
     /** The number of elements between the first line and each line, across the
@@ -269,11 +269,9 @@ namespace Biface
         auto         inside = layup.layers(middle, middle);
         std::array<std::vector<std::optional<Laminate>>, 2> at_lines{
           {layup.layers(lines[i], middle), layup.layers(lines[i + 1], middle)}};
-        unsigned int last = 0;
         for (unsigned int k = 0; k < inside.size(); ++k)
           if (inside[k])
             {
-              last = k;
               layers[i].push_back(strips.size());
               strips.push_back(
                 {*inside[k], {{*at_lines[0][k], *at_lines[1][k]}}});
@@ -282,18 +280,8 @@ namespace Biface
             // a layer has no elements where its plies have ended
             layers[i].push_back(numbers::invalid_unsigned_int);
         for (unsigned int side = 0; side < 2; ++side)
-          {
-            const auto wall    = strips[i].at_lines[side].face_heights();
-            Heights   &heights = of_strips[i][side];
-            heights.push_back(wall[0]);
-            for (unsigned int k = 0; k < inside.size(); ++k)
-              heights.push_back(
-                // the outer face exactly, not up to the round-off of the sum
-                k >= last
-                  ? wall[1]
-                  : heights.back() +
-                      (inside[k] ? at_lines[side][k]->thickness() : 0.));
-          }
+          of_strips[i][side] = heights_of_faces(
+            strips[i].at_lines[side].face_heights(), at_lines[side]);
       }
 
     for (const auto &of_strip : layers)
@@ -314,9 +302,6 @@ namespace Biface
       }
     on_lines.push_back(of_strips.back()[1]);
 
-    // the stiffest layer goes on to its own height on either side, so that
-    // stiff layers stay connected whatever a soft one does, section 4 of
-    // doc/theory.md
     for (unsigned int i = 0; i <= n; ++i)
       {
         const unsigned int below = (i == 0 ? 0 : i - 1),
@@ -327,22 +312,14 @@ namespace Biface
             for (const unsigned int side : {below, above})
               stiffness[k] +=
                 strips[layers[side][k]].laminate.membrane_stiffness();
-        const double largest =
-          *std::max_element(stiffness.begin(), stiffness.end());
-        if (!(largest > 0))
+        if (!(*std::max_element(stiffness.begin(), stiffness.end()) > 0))
           throw InputError(
             "the entry 'Laminate/Layers' has no layer with plies on both sides "
             "of alpha_1 = " +
             number_to_string(lines[i]) +
             ", where the wall would be a hinge: put the plies on both sides into "
             "one layer.");
-        // of equal layers always the innermost, whatever round-off says
-        stiffest.push_back(std::find_if(stiffness.begin(),
-                                        stiffness.end(),
-                                        [&](const double value) {
-                                          return value >= 0.99 * largest;
-                                        }) -
-                           stiffness.begin());
+        stiffest.push_back(stiffest_layer(stiffness));
       }
   }
 
@@ -377,7 +354,8 @@ namespace Biface
   {
     set_layup(layup);
     const Faces faces(*this->layup, *this->surface, grid);
-    strips = faces.strips;
+    strips  = faces.strips;
+    n_walls = grid.n_cells(0);
     for (const Faces::Heights &heights : faces.on_lines)
       max_thickness = std::max(max_thickness, heights.back() - heights.front());
     check_corners(*this->surface, grid, faces.of_strips);
@@ -511,19 +489,49 @@ namespace Biface
   } // namespace
 
 
+  double
+  ShellMesh::curvature(const unsigned int n) const
+  {
+    const SurfacePoint &here = nodes[n].surface;
+    if (grid.has_lines())
+      return std::max(std::abs(here.curvature[0]), std::abs(here.curvature[1]));
+    // the change of the normal by the position that fits those around best
+    Tensor<2, 2> change, positions;
+    for (const unsigned int other : neighbors[n])
+      {
+        const SurfacePoint &there = nodes[other].surface;
+        const Tensor<1, 3>  d = here.to_frame(there.position - here.position);
+        const Tensor<1, 3>  normal = here.to_frame(there.frame[2]);
+        for (unsigned int a = 0; a < 2; ++a)
+          for (unsigned int b = 0; b < 2; ++b)
+            {
+              change[a][b] += normal[a] * d[b];
+              positions[a][b] += d[a] * d[b];
+            }
+      }
+    const Tensor<2, 2> S = change * invert(positions);
+    // the larger singular value
+    return (std::hypot(S[0][0] + S[1][1], S[0][1] - S[1][0]) +
+            std::hypot(S[0][0] - S[1][1], S[0][1] + S[1][0])) /
+           2;
+  }
+
+
   void
   ShellMesh::add_imperfection(const Imperfection &deviation)
   {
     LA::Vector        V = owned_vector();
     GreatestDeviation greatest;
     agree_on_errors(communicator, [&]() {
-      for (const Node &node : nodes)
-        if (node.locally_owned && !holds_normal(node, constraints))
-          {
-            const double w = deviation(node.surface.position, node.alpha);
-            V(node.dof(2, MixedElement::mean)) = w;
-            greatest.add(w, node.surface.curvature, node.alpha);
-          }
+      for (unsigned int n = 0; n < nodes.size(); ++n)
+        {
+          const Node &node = nodes[n];
+          if (!node.locally_owned || holds_normal(node, constraints))
+            continue;
+          const double w = deviation(node.surface.position, node.alpha);
+          V(node.dof(2, MixedElement::mean)) = w;
+          greatest.add(w, curvature(n), node.surface.position, node.alpha);
+        }
     });
     greatest.check(*surface, communicator);
     V.compress(VectorOperation::insert);
@@ -572,9 +580,12 @@ namespace Biface
   {
     const std::shared_ptr<ShellMesh> result(new ShellMesh(*this));
     result->set_layup(other);
+    // the strips of a mesh follow from the groups
+    if (layup->groups() != other.groups())
+      return nullptr;
     result->strips = grid.has_lines()
                        ? Faces(*result->layup, *surface, grid).strips
-                       : strips_without_lines(*result->layup);
+                       : strips_of_groups(*result->layup, groups_of_strips);
     if (strips.size() != result->strips.size())
       return nullptr;
     for (unsigned int i = 0; i < strips.size(); ++i)
@@ -652,6 +663,64 @@ namespace Biface
     node.locally_owned = false;
     node.face_is_free  = {{true, true}};
     return node;
+  }
+
+
+  void
+  ShellMesh::add_elements(
+    const std::array<unsigned int, 4> &cell_nodes,
+    const types::global_cell_index     number,
+    const types::global_cell_index     first,
+    const Column                      &column,
+    const std::function<
+      ElementGeometry(const std::array<std::array<double, 2>, 4> &)> &geometry)
+  {
+    const std::size_t first_of_column = cells.size();
+    const auto        add             = [&](const unsigned int strip,
+                         const unsigned int lowest,
+                         const unsigned int highest) {
+      Cell local;
+      local.nodes    = cell_nodes;
+      local.position = cells.size();
+      local.strip    = strip;
+      local.column   = number;
+      local.is_wall  = (lowest == 0 && highest + 1 == n_layers());
+      local.is_layer = (lowest == highest);
+      local.layer    = lowest;
+      local.number   = first + cells.size() - first_of_column;
+
+      ShellFEValues::FaceHeights heights;
+      bool                       own_unknowns = (n_layers() > 1);
+      for (unsigned int v = 0; v < 4; ++v)
+        {
+          const Node &node = nodes[cell_nodes[v]];
+          local.dofs.insert(
+            local.dofs.end(), node.dofs.begin(), node.dofs.end());
+          heights[v] = {
+            {column.heights[v][lowest], column.heights[v][highest + 1]}};
+          own_unknowns = own_unknowns || heights[v] != node.face_heights;
+        }
+      // most cells of a shell with one layer have the unknowns of their nodes
+      // and need no conversion
+      if (own_unknowns)
+        for (unsigned int v = 0; v < 4; ++v)
+          {
+            const Node &node = nodes[cell_nodes[v]];
+            for (const Cell::Contribution &contribution :
+                 local.is_wall
+                                      ? contributions_to_wall(node, heights[v])
+                                      : contributions_to_layer(
+                       node, column.heights[v], column.stiffest[v], lowest))
+              local.contributions.push_back(contribution);
+          }
+      local.geometry = geometry(heights);
+      cells.push_back(local);
+    };
+    add(column.wall, 0, n_layers() - 1);
+    if (n_layers() > 1)
+      for (unsigned int k = 0; k < n_layers(); ++k)
+        if (column.layers[k] != numbers::invalid_unsigned_int)
+          add(column.layers[k], k, k);
   }
 
 
@@ -736,65 +805,30 @@ namespace Biface
               boundary.push_back(segment);
             }
 
-        const unsigned int strip           = cell_index[0];
-        const std::size_t  first_of_column = cells.size();
-        const auto         add = [&](const unsigned int strip_of_plies,
-                             const unsigned int first,
-                             const unsigned int last) {
-          Cell local;
-          local.nodes    = cell_nodes;
-          local.position = cells.size();
-          local.strip    = strip_of_plies;
-          local.column   = number;
-          local.is_wall  = (first == 0 && last + 1 == n_layers());
-          local.is_layer = (first == last);
-          local.layer    = first;
-          local.number   = n_layers() == 1
-                                     ? number
+        const unsigned int strip = cell_index[0];
+        Column             column;
+        column.wall   = strip;
+        column.layers = faces.layers[strip];
+        for (unsigned int v = 0; v < 4; ++v)
+          {
+            // the vertices with the larger alpha_1 are the odd ones
+            column.heights[v] = faces.of_strips[strip][v % 2];
+            column.stiffest[v] =
+              faces.stiffest[nodes[cell_nodes[v]].grid_index[0]];
+          }
+        double wall_thickness = 0;
+        for (const Faces::Heights &all : faces.of_strips[strip])
+          wall_thickness += (all.back() - all.front()) / 2;
+        add_elements(cell_nodes,
+                     number,
+                     n_layers() == 1 ? number
                                      : cell_index[1] * faces.n_elements.back() +
-                               faces.n_elements[strip] + cells.size() -
-                               first_of_column;
-          for (unsigned int v = 0; v < 4; ++v)
-            for (unsigned int i = 0; i < n_dofs_per_node(); ++i)
-              local.dofs.push_back(cell->vertex_dof_index(v, i));
-
-          ShellFEValues::FaceHeights heights;
-          bool                       own_unknowns = (n_layers() > 1);
-          for (unsigned int v = 0; v < 4; ++v)
-            {
-              // the vertices with the larger alpha_1 are the odd ones
-              const Faces::Heights &all = faces.of_strips[strip][v % 2];
-              const Node           &node = nodes[cell_nodes[v]];
-              heights[v] = {{all[first], all[last + 1]}};
-              own_unknowns = own_unknowns || heights[v] != node.face_heights;
-            }
-          // most cells of a shell with one layer have the unknowns of their
-          // nodes and need no conversion
-          if (own_unknowns)
-            for (unsigned int v = 0; v < 4; ++v)
-              {
-                const Node &node = nodes[cell_nodes[v]];
-                for (const Cell::Contribution &contribution :
-                     local.is_wall ? contributions_to_wall(node, heights[v])
-                                           : contributions_to_layer(
-                                       node,
-                                       faces.of_strips[strip][v % 2],
-                                       faces.stiffest[node.grid_index[0]],
-                                       first))
-                  local.contributions.push_back(contribution);
-              }
-          double wall_thickness = 0;
-          for (const Faces::Heights &all : faces.of_strips[strip])
-            wall_thickness += (all.back() - all.front()) / 2;
-          fe_values.reinit(cell, heights, wall_thickness);
-          local.geometry = fe_values.get_geometry();
-          cells.push_back(local);
-        };
-        add(strip, 0, n_layers() - 1);
-        if (n_layers() > 1)
-          for (unsigned int k = 0; k < n_layers(); ++k)
-            if (faces.exists(strip, k))
-              add(faces.layers[strip][k], k, k);
+                                         faces.n_elements[strip],
+                     column,
+                     [&](const ShellFEValues::FaceHeights &heights) {
+                       fe_values.reinit(cell, heights, wall_thickness);
+                       return fe_values.get_geometry();
+                     });
       }
 
     for (const auto &set : adjacent)

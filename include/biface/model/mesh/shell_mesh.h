@@ -11,7 +11,10 @@
 #include <deal.II/lac/affine_constraints.h>
 
 #include <array>
+#include <functional>
 #include <memory>
+#include <set>
+#include <string>
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
@@ -260,7 +263,7 @@ namespace Biface
     unsigned int
     n_strips() const
     {
-      return grid.has_lines() ? grid.n_cells(0) : 1;
+      return n_walls;
     }
 
     /** The nodes that share a cell with each node, including itself, by their
@@ -437,18 +440,40 @@ namespace Biface
     complete(const Supports                      &supports,
              const std::vector<dealii::Point<3>> &positions = {});
 
-    /** The strip of a mesh without lines. Throws InputError if the plies are
-     * not the same everywhere. */
-    static std::vector<Strip>
-    strips_without_lines(const Layup &layup);
-
     /** Throw InputError if supports use directions that have no meaning. */
     void
     check_components(const Supports &supports) const;
 
-    /** Create cells, nodes and edges from a file. */
+    /** The strips of a mesh without lines, one for each of the sets of groups
+     * to which cells belong, and the heights of the faces. */
+    class StripsOfGroups;
+
+    /** The strips of a mesh without lines by sets of groups, followed by those
+     * of single layers. */
+    static std::vector<Strip>
+    strips_of_groups(const Layup                              &layup,
+                     const std::vector<std::set<std::string>> &groups);
+
+    /** The sets of those groups of cells that plies name, to which the cells of
+     * a mesh from a file belong. Throws InputError if no ply covers a cell.
+     * @param [out] of_cells the position of the set of each cell. */
+    static std::vector<std::set<std::string>>
+    find_groups(const Layup               &layup,
+                const QuadrilateralMesh   &mesh,
+                std::vector<unsigned int> &of_cells);
+
+    /** Create cells, nodes and edges from a file.
+     * @param plies the strips of the cells, by @p set_of_cells. */
     void
-    collect_from_file(const MeshFile &file, const Supports &supports);
+    collect_from_file(const MeshFile                  &file,
+                      const Supports                  &supports,
+                      const StripsOfGroups            &plies,
+                      const std::vector<unsigned int> &set_of_cells);
+
+    /** The largest curvature at a locally owned node, without its sign. Unit:
+     * 1/length. */
+    double
+    curvature(const unsigned int node) const;
 
     /** Throw InputError if the imperfection is steep. */
     void
@@ -478,6 +503,35 @@ namespace Biface
     /** The strips, and the heights of the faces. */
     class Faces;
 
+    /** The plies of a column of elements. */
+    struct Column
+    {
+      /** The positions in @p strips of the wall and of its layers, an invalid
+       * number for a layer that does not exist there. */
+      unsigned int              wall;
+      std::vector<unsigned int> layers;
+      /** The heights of all faces beside the nodes at the vertices, inner face
+       * first. */
+      std::array<std::vector<double>, 4> heights;
+      /** The stiffest layers around these nodes, see contributions_to_layer().
+       */
+      std::array<unsigned int, 4> stiffest;
+    };
+
+    /** Add the elements of a cell: the wall and, if there are several, its
+     * layers.
+     * @param number that of the cell, see Cell::column.
+     * @param first the number of the wall, see Cell::number.
+     * @param geometry of an element with faces at given heights at the
+     * vertices. */
+    void
+    add_elements(const std::array<unsigned int, 4>                &cell_nodes,
+                 const dealii::types::global_cell_index            number,
+                 const dealii::types::global_cell_index            first,
+                 const Column                                     &column,
+                 const std::function<ElementGeometry(
+                   const std::array<std::array<double, 2>, 4> &)> &geometry);
+
     void
     collect_cells_and_nodes(const Faces &faces);
 
@@ -491,6 +545,11 @@ namespace Biface
 
     std::shared_ptr<const Layup> layup;
     unsigned int                 n_all_layers;
+    /** The number of strips of the whole wall. */
+    unsigned int n_walls = 1;
+    /** The sets of groups of the strips of a mesh from a file, see
+     * find_groups(). */
+    std::vector<std::set<std::string>> groups_of_strips;
     std::shared_ptr<const dealii::parallel::TriangulationBase<2, 3>>
                                                     triangulation;
     std::shared_ptr<const dealii::DoFHandler<2, 3>> dof_handler;
