@@ -109,12 +109,18 @@ namespace Biface
           refuse("one part only: write each to a file of its own");
         if ((keyword == "NSET" || keyword == "ELSET") && set.empty())
           refuse("the name of a set");
+        // SOLID SECTION is that of trusses, too
+        if (keyword.size() > 8 &&
+            keyword.compare(keyword.size() - 8, 8, " SECTION") == 0)
+          sets_of_sections.insert(in_capitals(parameter("ELSET")));
         if (keyword == "NODE")
           set = in_capitals(parameter("NSET"));
         if (keyword == "ELEMENT")
           {
             set             = in_capitals(parameter("ELSET"));
             const auto type = in_capitals(parameter("TYPE"));
+            // the lines of Gmsh
+            is_line = (type == "T2D2" || type == "T3D2");
             // by the number of nodes in the name: S4R5 has four
             const std::string shells[] = {"S", "M3D", "CPS", "CPE"};
             n_nodes                    = 0;
@@ -123,7 +129,9 @@ namespace Biface
                   type.size() > shell.size() &&
                   std::isdigit(static_cast<unsigned char>(type[shell.size()])))
                 n_nodes = type[shell.size()] - '0';
-            if (n_nodes != 4 && n_nodes != 8 && n_nodes != 9)
+            if (is_line)
+              n_nodes = 2;
+            else if (n_nodes != 4 && n_nodes != 8 && n_nodes != 9)
               refuse("a type of shells with four, eight or nine nodes, such as "
                      "S4R: others are not possible");
           }
@@ -183,9 +191,11 @@ namespace Biface
         if (rest.size() > n_nodes + 1)
           refuse(meaning);
         MeshText::Element element{rest[0], {}, {}};
-        if (!elements.emplace(rest[0], result.elements[2].size()).second)
+        auto             &all = result.elements[is_line ? 1 : 2];
+        if (!elements.emplace(rest[0], ElementAt{is_line ? 1U : 2U, all.size()})
+               .second)
           refuse("another element number: this one has occurred before");
-        for (unsigned int i = 0; i < 4; ++i)
+        for (unsigned int i = 0; i < std::min(n_nodes, 4U); ++i)
           {
             const auto node = result.node_of_number.find(rest[1 + i]);
             if (node == result.node_of_number.end())
@@ -194,7 +204,7 @@ namespace Biface
           }
         if (!set.empty())
           element_sets[set].push_back(rest[0]);
-        result.elements[2].push_back(element);
+        all.push_back(element);
         rest.clear();
       }
 
@@ -259,7 +269,7 @@ namespace Biface
         long group = 0;
         for (const auto &[set_name, numbers] : element_sets)
           {
-            result.names[{2, ++group}] = set_name;
+            ++group;
             for (const std::size_t element : numbers)
               {
                 const auto known = elements.find(element);
@@ -268,7 +278,14 @@ namespace Biface
                                    set_name + "' has the element " +
                                    std::to_string(element) +
                                    ", which does not exist.");
-                result.elements[2][known->second].groups.push_back(group);
+                const auto [dimension, position] = known->second;
+                if (dimension == 1 && sets_of_sections.count(set_name) > 0)
+                  throw InputError("the mesh '" + name + "': the set '" +
+                                   set_name +
+                                   "' has trusses with a section, but only "
+                                   "shells are possible.");
+                result.names[{dimension, group}] = set_name;
+                result.elements[dimension][position].groups.push_back(group);
               }
           }
       }
@@ -281,13 +298,20 @@ namespace Biface
       std::vector<std::string> parameters;
       /** The name of the set of the keyword. */
       std::string  set;
-      bool         generate = false;
+      bool         generate = false, is_line = false;
       unsigned int n_parts = 0, n_nodes = 0;
       /** What is read of an element so far. */
       std::vector<std::size_t> rest;
 
-      MeshText                                        result;
-      std::map<std::size_t, unsigned int>             elements;
+      MeshText result;
+      /** The dimension of an element, and its position among those of it. */
+      struct ElementAt
+      {
+        unsigned int dimension;
+        std::size_t  position;
+      };
+      std::map<std::size_t, ElementAt>                elements;
+      std::set<std::string>                           sets_of_sections;
       std::map<std::string, std::vector<std::size_t>> node_sets, element_sets;
     };
   } // namespace

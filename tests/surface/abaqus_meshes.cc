@@ -2,7 +2,8 @@
 
 // An input file of Abaqus or CalculiX gives nodes, shells and sets, as ranges,
 // as lists and by names, in any case of letters; a set of nodes is an edge
-// along the free sides between them; elements may go on in the next line; what
+// along the free sides between them, and so is one of the lines of Gmsh, if
+// they have no section as trusses; elements may go on in the next line; what
 // has nothing to do with the mesh is passed over; and each fault is answered
 // with its place.
 
@@ -61,6 +62,9 @@ main()
           "*ELSET, ELSET=ends\n1, 3\n*MATERIAL, NAME=STEEL\n*ELASTIC\n"
           "210000, .3\n*STEP\n*STATIC\n*BOUNDARY\nleft, 1, 6\n*END STEP\n"));
   print(strip("*ELEMENT, TYPE=S8R\n1, 1,3,13,11,2,13,12,\n11\n", ""));
+  const std::string line = "*ELEMENT, type=T3D2, ELSET=Line3\n7, 1, 11\n";
+  print(strip(line + s4, "*ELSET, ELSET=west\n7,\n"));
+  print(strip(line + s4, "*SOLID SECTION, ELSET=Line3, MATERIAL=STEEL\n0.1\n"));
   print(strip("*ELEMENT, TYPE=S3\n1, 1,2,12\n", ""));
   print(strip("*ELEMENT, TYPE=B31\n1, 1,2\n", ""));
   print(strip("*ELEMENT, TYPE=SC8R\n1, 1,2,12,11,1,2,12,11\n", ""));
