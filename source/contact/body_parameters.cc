@@ -12,6 +12,7 @@
 #include <biface/contact/height_field.h>
 #include <biface/contact/implicit_body.h>
 #include <biface/input/entry_declarations.h>
+#include <biface/input/named_numbers.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/input/read_file.h>
 

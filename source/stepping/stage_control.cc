@@ -4,6 +4,7 @@
 
 #include <biface/base/errors.h>
 #include <biface/input/entry_declarations.h>
+#include <biface/input/named_numbers.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/stepping/stage_control.h>
 

@@ -11,13 +11,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <biface/contact/body_section.h>
 #include <biface/contact/body_shapes.h>
 #include <biface/contact/friction_coefficient.h>
 #include <biface/contact/rigid_body.h>
-#include <biface/input/named_numbers.h>
 
 namespace Biface
 {
@@ -94,7 +94,7 @@ namespace Biface
     std::vector<BodyMotion> motions;
     /** The stiffnesses of springs by the names of motions. Unit: see
      * BodyMotion::spring. */
-    NamedNumbers springs;
+    std::vector<std::pair<std::string, double>> springs;
 
     void
     add_parameters(EntryDeclarations &prm);

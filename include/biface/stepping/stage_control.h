@@ -4,10 +4,10 @@
 #define biface_stepping_stage_control_h
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <biface/contact/body_motion.h>
-#include <biface/input/named_numbers.h>
 #include <biface/model/mesh/component.h>
 
 namespace Biface
@@ -73,7 +73,7 @@ namespace Biface
     double axle_moment = 0;
     /** The forces on bodies as given, by the names of body and motion.
      * Checkpoints have the following ones. */
-    NamedNumbers forces_on_bodies;
+    std::vector<std::pair<std::string, double>> forces_on_bodies;
     /** The motions found by forces with these forces, set by
      * Parameters::assign_load_factors(). */
     std::vector<MotionByForce> motions_by_force;
