@@ -46,7 +46,8 @@ end
   `Physical Point` is a named point, for supports, forces, probes and control. Other points are given by their
   positions, `Named points = tip: 0 0 12.5`; they must be nodes. In Gmsh, anything without a physical group is not
   saved as soon as there is one, so that the surfaces need a group, too. In an input file a `*NSET` of several nodes is an
-  edge, along the free sides between them, and one of a single node is a point; their names are in capitals.
+  edge, along the free sides between them, and one of a single node is a point; their names are in capitals. The lines that Gmsh writes as
+  trusses (T3D2), without a section, are edges, too.
 - **Outward** is where the nodes of the cells run counterclockwise. All cells of a connected part take the
   orientation of the first one. Pressure acts on the inner face and contact on the outer one, unless told
   otherwise.

@@ -246,7 +246,8 @@ namespace Biface
           scale = std::max(scale, std::abs(value));
         std::string where;
         for (unsigned int i = 0; i < variables.size(); ++i)
-          if (variables[i][0] != '_')
+          // a mesh has no coordinates
+          if (variables[i][0] != '_' && !std::isnan(values[i]))
             where += (where.empty() ? "" : ", ") + variables[i] + " = " +
                      coordinate_to_string(values[i], scale);
         throw InputError(

@@ -63,13 +63,21 @@ namespace Biface
                const std::string &text,
                std::string       &angle)
     {
-      const auto in = angle.find(" in ");
+      const auto in = (angle + ' ').find(" in ");
       if (in == std::string::npos)
         return {};
-      std::string group = Utilities::trim(angle.substr(in + 4));
+      std::string group =
+        Utilities::trim(angle.substr(std::min(in + 4, angle.size())));
       // a name that contains commas or parentheses
-      if (group.size() >= 2 && group.front() == '"' && group.back() == '"')
-        group = group.substr(1, group.size() - 2);
+      if (!group.empty() && group.front() == '"')
+        {
+          if (group.size() < 2 || group.back() != '"')
+            throw InputError(entry,
+                             text,
+                             "a name that begins with a quote must end with "
+                             "one; '#' begins a comment, also in quotes");
+          group = group.substr(1, group.size() - 2);
+        }
       if (group.empty())
         throw InputError(entry,
                          text,

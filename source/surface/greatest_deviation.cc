@@ -44,12 +44,17 @@ namespace Biface
       // without round-off
       return coordinate_to_string(alpha / surface.coordinate_unit(a), 1e3);
     };
-    const std::string place =
-      surface.has_chart()
-        ? "alpha_1 = " + in_unit(0, alpha_1) +
-            ", alpha_2 = " + in_unit(1, alpha_2)
-        : "x, y, z = (" + vector_to_string(Tensor<1, 3>({x, y, z})) + ")";
-    const double radius = std::abs(deviation / part);
+    const double size = std::max({std::abs(x), std::abs(y), std::abs(z)});
+    const auto   without_round_off = [size](const double coordinate) {
+      return coordinate_to_string(coordinate, size);
+    };
+    const std::string place  = surface.has_chart()
+                                 ? "alpha_1 = " + in_unit(0, alpha_1) +
+                                    ", alpha_2 = " + in_unit(1, alpha_2)
+                                 : "x, y, z = (" + without_round_off(x) + ", " +
+                                    without_round_off(y) + ", " +
+                                    without_round_off(z) + ")";
+    const double      radius = std::abs(deviation / part);
     throw InputError(
       "the section 'Surface/Imperfection' describes a deviation of " +
       number_to_string(deviation) + " at " + place +

@@ -211,20 +211,26 @@ namespace Biface
                               numbers::invalid_unsigned_int);
     }
 
-    /** The heights of all faces at a node: the means of the sets around it. */
+    /** The heights of all faces at a node: the means of the cells around it.
+     * @param around the sets of these cells. */
     std::vector<double>
-    mean_heights(const std::set<unsigned int> &around) const;
+    mean_heights(const std::vector<unsigned int> &around) const;
 
-    /** The stiffest_layer() at a node of those that exist in all sets around
-     * it; an invalid number if there is none. */
+    /** The stiffest_layer() at a node of those that exist in all cells around
+     * it; an invalid number if there is none.
+     * @param around the sets of these cells. */
     unsigned int
-    stiffest(const std::set<unsigned int> &around) const;
+    stiffest(const std::vector<unsigned int> &around) const;
   };
 
 
   ShellMesh::StripsOfGroups::StripsOfGroups(
     const Layup &layup, const std::vector<std::set<std::string>> &groups)
   {
+    for (const PlyDescription &ply : layup.get_plies())
+      if (!(ply.thickness(0) > 0))
+        throw InputError(
+          "Laminate/Plies", ply.text, "a thickness must be positive");
     for (const PlyDescription &ply : layup.get_plies())
       // a formula or a table of a coordinate would not have one value
       for (const double alpha_1 : {-0.37, 0.61, 29.})
@@ -267,12 +273,15 @@ namespace Biface
 
   std::vector<double>
   ShellMesh::StripsOfGroups::mean_heights(
-    const std::set<unsigned int> &around) const
+    const std::vector<unsigned int> &around) const
   {
-    // without round-off where all cells have the same plies
-    if (around.size() == 1)
-      return heights[*around.begin()];
-    std::vector<double> mean(heights[0].size());
+    const std::vector<double> &first = heights[around[0]];
+    // without round-off where all cells have the same heights
+    if (std::all_of(around.begin(), around.end(), [&](const unsigned int s) {
+          return heights[s] == first;
+        }))
+      return first;
+    std::vector<double> mean(first.size());
     for (const unsigned int s : around)
       for (unsigned int k = 0; k < mean.size(); ++k)
         mean[k] += heights[s][k] / around.size();
@@ -282,7 +291,7 @@ namespace Biface
 
   unsigned int
   ShellMesh::StripsOfGroups::stiffest(
-    const std::set<unsigned int> &around) const
+    const std::vector<unsigned int> &around) const
   {
     std::vector<double> stiffness(layers[0].size(), 0.);
     for (unsigned int k = 0; k < stiffness.size(); ++k)
@@ -434,10 +443,10 @@ namespace Biface
     check_faces(mesh, normals, [&](const unsigned int c) {
       return strips[set_of_cells[c]].laminate.face_heights();
     });
-    std::vector<std::set<unsigned int>> sets_around(mesh.nodes.size());
+    std::vector<std::vector<unsigned int>> sets_around(mesh.nodes.size());
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       for (const unsigned int n : mesh.cells[c])
-        sets_around[n].insert(set_of_cells[c]);
+        sets_around[n].push_back(set_of_cells[c]);
     // elements are numbered without gaps
     std::vector<types::global_cell_index> first_of_cells{0};
     for (const unsigned int set : set_of_cells)
