@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/types.h>
+
 #include <algorithm>
 
 #include <biface/laminate/laminate.h>
@@ -7,6 +9,8 @@
 
 namespace Biface
 {
+  using namespace dealii;
+
   std::vector<double>
   heights_of_faces(const std::array<double, 2>                &wall,
                    const std::vector<std::optional<Laminate>> &layers)
@@ -30,6 +34,8 @@ namespace Biface
   {
     const double largest =
       *std::max_element(stiffness.begin(), stiffness.end());
+    if (!(largest > 0))
+      return numbers::invalid_unsigned_int;
     // of equal layers always the innermost, whatever round-off says
     return std::find_if(stiffness.begin(),
                         stiffness.end(),

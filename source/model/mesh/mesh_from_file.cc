@@ -228,23 +228,26 @@ namespace Biface
     const Layup &layup, const std::vector<std::set<std::string>> &groups)
   {
     for (const PlyDescription &ply : layup.get_plies())
-      if (!(ply.thickness(0) > 0))
-        throw InputError(
-          "Laminate/Plies", ply.text, "a thickness must be positive");
-    for (const PlyDescription &ply : layup.get_plies())
-      // a formula or a table of a coordinate would not have one value
-      for (const double alpha_1 : {-0.37, 0.61, 29.})
-        if (ply.thickness(alpha_1) != ply.thickness(0) ||
-            ply.angle(alpha_1) != ply.angle(0) || std::isfinite(ply.begin) ||
-            std::isfinite(ply.end))
-          throw InputError("Laminate/Plies",
-                           ply.text,
-                           "thickness and angle must be constant on a mesh "
-                           "from a file, which has no coordinates, and a ply "
-                           "ends by 'in GROUP'");
+      {
+        if (!(ply.thickness(0) > 0))
+          throw InputError(
+            "Laminate/Plies", ply.text, "a thickness must be positive");
+        // a formula or a table of a coordinate would not have one value
+        for (const double alpha_1 : {-0.37, 0.61, 29.})
+          if (ply.thickness(alpha_1) != ply.thickness(0) ||
+              ply.angle(alpha_1) != ply.angle(0) || std::isfinite(ply.begin) ||
+              std::isfinite(ply.end))
+            throw InputError("Laminate/Plies",
+                             ply.text,
+                             "thickness and angle must be constant on a mesh "
+                             "from a file, which has no coordinates, and a ply "
+                             "ends by 'in GROUP'");
+      }
+    std::vector<Layup> of_sets;
     for (const std::set<std::string> &set : groups)
       {
-        const Laminate laminate = layup.in_groups(set).laminate(0);
+        of_sets.push_back(layup.in_groups(set));
+        const Laminate laminate = of_sets.back().laminate(0);
         strips.push_back({laminate, {{laminate, laminate}}});
       }
     for (unsigned int s = 0; s < groups.size(); ++s)
@@ -256,7 +259,7 @@ namespace Biface
             heights.push_back({wall[0], wall[1]});
             continue;
           }
-        const auto of_set = layup.in_groups(groups[s]).layers(0, 0);
+        const auto of_set = of_sets[s].layers(0, 0);
         layers.emplace_back();
         for (const std::optional<Laminate> &layer : of_set)
           if (layer)
@@ -300,9 +303,7 @@ namespace Biface
           }))
         for (const unsigned int s : around)
           stiffness[k] += strips[layers[s][k]].laminate.membrane_stiffness();
-    return *std::max_element(stiffness.begin(), stiffness.end()) > 0
-             ? stiffest_layer(stiffness)
-             : numbers::invalid_unsigned_int;
+    return stiffest_layer(stiffness);
   }
 
 

@@ -312,14 +312,14 @@ namespace Biface
             for (const unsigned int side : {below, above})
               stiffness[k] +=
                 strips[layers[side][k]].laminate.membrane_stiffness();
-        if (!(*std::max_element(stiffness.begin(), stiffness.end()) > 0))
+        stiffest.push_back(stiffest_layer(stiffness));
+        if (stiffest.back() == numbers::invalid_unsigned_int)
           throw InputError(
             "the entry 'Laminate/Layers' has no layer with plies on both sides "
             "of alpha_1 = " +
             number_to_string(lines[i]) +
             ", where the wall would be a hinge: put the plies on both sides into "
             "one layer.");
-        stiffest.push_back(stiffest_layer(stiffness));
       }
   }
 

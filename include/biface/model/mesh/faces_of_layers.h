@@ -21,7 +21,7 @@ namespace Biface
   /** The layer that goes on at its own height where plies end, so that stiff
    * layers stay connected whatever a soft one does, section 4 of doc/theory.md:
    * that with the largest stiffness. Of those that differ by less than a
-   * percent, the innermost one.
+   * percent, the innermost one; an invalid number if none goes on.
    * @param stiffness of the layers in the surface; 0 for those that do not go
    * on. */
   unsigned int
