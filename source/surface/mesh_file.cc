@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <limits>
+
 #include <biface/base/errors.h>
 #include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
@@ -56,12 +58,52 @@ namespace Biface
       "and loads is along it.");
     prm.add_parameter("Fold angle",
                       fold_angle,
-                      "The largest angle at which neighboring cells of a mesh "
-                      "may meet: the surface is taken as smooth. Positive, at "
+                      "The angle up to which neighboring cells of a mesh form "
+                      "a smooth surface with one normal at each node; at "
+                      "larger ones they meet at a fold. Positive, at "
                       "most 60; a smooth surface whose cells turn by more than "
                       "20 degrees each is a coarse one.",
                       Patterns::Double(),
                       Unit("degrees"));
+    add_parsed(prm,
+               "Joints",
+               "",
+               joints,
+               parse_joints,
+               "How cells of a mesh are joined at the sides of groups of "
+               "lines, 'lines: rigid', 'lines: hinge' or 'lines: STIFFNESS', "
+               "separated by commas: 'rigid' keeps the angles between the "
+               "parts, as everywhere else at folds; 'hinge' exerts no moment, "
+               "and is also possible where the surface is smooth; a number is "
+               "the moment per length of the line and per angle in radians, a "
+               "force.",
+               Unit("force"));
+  }
+
+
+  std::vector<JointOfGroup>
+  parse_joints(const std::string &entry, const std::string &text)
+  {
+    const std::string form = "each joint must have the form 'lines: rigid', "
+                             "'lines: hinge' or 'lines: STIFFNESS', with a "
+                             "positive moment per length and angle";
+
+    std::vector<JointOfGroup> joints;
+    for (const std::string &item : split_list(entry, text))
+      {
+        const auto [group, kind] = split_named(entry, item, form);
+        const double stiffness =
+          (kind == "rigid"   ? std::numeric_limits<double>::infinity()
+           : kind == "hinge" ? 0.
+                             : parse_number(entry, kind, form));
+        if (kind != "hinge" && !(stiffness > 0))
+          throw InputError(entry, item, form);
+        for (const JointOfGroup &other : joints)
+          if (other.group == group)
+            throw InputError(entry, item, "'" + group + "' is named twice");
+        joints.push_back({item, group, stiffness});
+      }
+    return joints;
   }
 
 
@@ -69,7 +111,7 @@ namespace Biface
   MeshFile::read(const MPI_Comm communicator)
   {
     mesh = std::make_shared<const QuadrilateralMesh>(
-      parse_mesh(read_file(name, communicator), name, fold_angle));
+      parse_mesh(read_file(name, communicator), name, fold_angle, joints));
   }
 
 

@@ -7,13 +7,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <numeric>
 #include <set>
 #include <string>
 #include <utility>
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/surface/mesh_file.h>
 #include <biface/surface/mesh_text.h>
 #include <biface/surface/quadrilateral_mesh.h>
 
@@ -34,31 +37,40 @@ namespace Biface
     class MeshBuilder
     {
     public:
-      MeshBuilder(const MeshText &raw, const std::string &name)
-        : raw(raw), name(name)
+      MeshBuilder(const MeshText                  &raw,
+                  const std::string               &name,
+                  const double                     fold_angle,
+                  const std::vector<JointOfGroup> &joints)
+        : raw(raw), name(name), fold_angle(fold_angle), joints(joints)
       {}
 
       QuadrilateralMesh
-      build(const double fold_angle)
+      build()
       {
         collect_cells();
         collect_nodes();
         check_shapes();
         find_sides();
+        collect_groups();
+        set_joints();
+        check_overlaps();
         orient();
+        check_connected();
+        check_places();
+        split_nodes();
         order_vertices();
         find_free_sides();
-        check_fans();
-        check_places();
+        complete_folds();
+        find_corners();
         set_normals();
-        check_folds(fold_angle);
-        collect_groups();
         return mesh;
       }
 
     private:
-      using Group = QuadrilateralMesh::Group;
-      using Side  = QuadrilateralMesh::Side;
+      using CellSide = QuadrilateralMesh::CellSide;
+      using Fold     = QuadrilateralMesh::Fold;
+      using Group    = QuadrilateralMesh::Group;
+      using Side     = QuadrilateralMesh::Side;
 
       /** The key of a side in @p cells_of_side. */
       Side
@@ -175,23 +187,116 @@ namespace Biface
       void
       find_sides()
       {
+        cells_of_side.clear();
         for (unsigned int c = 0; c < mesh.cells.size(); ++c)
           for (unsigned int f = 0; f < 4; ++f)
-            {
-              auto &of = cells_of_side[key_of_side(c, f)];
-              of.push_back({c, f});
-              if (of.size() > 2)
-                refuse(mesh.cell_in_words(c) +
-                       " shares a side with the cells " +
-                       std::to_string(mesh.cell_numbers[of[0].cell]) + " and " +
-                       std::to_string(mesh.cell_numbers[of[1].cell]) +
-                       ", but at most two cells may meet at a side: joints of "
-                       "several shells are not possible.");
-            }
+            cells_of_side[key_of_side(c, f)].push_back({c, f});
+      }
+
+      /** Whether a side runs around two cells in opposite directions, as it
+       * does if they have the same orientation. */
+      bool
+      run_oppositely(const CellSide &one, const CellSide &two) const
+      {
+        return mesh.side(one.cell, one.face) != mesh.side(two.cell, two.face);
+      }
+
+      /** The angle in degrees by which the surface turns from one cell to
+       * another beyond their common side. */
+      double
+      angle_between(const CellSide &one, const CellSide &two) const
+      {
+        const Tensor<1, 3> a = normal_of(one.cell),
+                           b = (run_oppositely(one, two) ? 1. : -1.) *
+                               normal_of(two.cell);
+        return std::atan2(cross_product_3d(a, b).norm(), a * b) * 180 /
+               numbers::PI;
+      }
+
+      /** The sides of a group of lines, or those of several cells between the
+       * nodes of a set. */
+      std::vector<Side>
+      sides_of_group(const unsigned int group) const
+      {
+        std::vector<Side> sides = mesh.groups[group].sides;
+        const auto        set   = sets_of_nodes.find(group);
+        if (set != sets_of_nodes.end())
+          for (const auto &[side, of] : cells_of_side)
+            if (of.size() > 1 && set->second.count(side[0]) > 0 &&
+                set->second.count(side[1]) > 0)
+              sides.push_back(side);
+        return sides;
+      }
+
+      /** Note the sides of the groups with a joint that the user has chosen. */
+      void
+      set_joints()
+      {
+        for (const JointOfGroup &joint : joints)
+          {
+            std::vector<Side> sides;
+            for (unsigned int g = 0; g < mesh.groups.size(); ++g)
+              if (mesh.groups[g].name == joint.group)
+                {
+                  const std::vector<Side> here = sides_of_group(g);
+                  sides.insert(sides.end(), here.begin(), here.end());
+                }
+            if (sides.empty())
+              throw InputError("Surface/Mesh/Joints",
+                               joint.text,
+                               name + " has no lines '" + joint.group +
+                                 "' between cells");
+            for (const Side &side : sides)
+              {
+                const auto &of = cells_of_side.at(side);
+                if (of.size() < 2)
+                  throw InputError("Surface/Mesh/Joints",
+                                   joint.text,
+                                   mesh.cell_in_words(of[0].cell) +
+                                     " meets no other one there");
+                // the stiffness acts on the angle between two directors
+                const bool elastic = joint.stiffness > 0;
+                for (unsigned int i = 0; i < of.size() && elastic; ++i)
+                  for (unsigned int j = 0; j < i; ++j)
+                    if (angle_between(of[j], of[i]) <= fold_angle)
+                      throw InputError(
+                        "Surface/Mesh/Joints",
+                        joint.text,
+                        "there the surface goes on smoothly beyond " +
+                          mesh.cell_in_words(of[j].cell) +
+                          ", where only 'hinge' is possible");
+                joint_of_side[side] = joint.stiffness;
+              }
+          }
+      }
+
+      /** Whether two cells at a side have their directors in common. */
+      bool
+      is_smooth(const Side     &side,
+                const CellSide &one,
+                const CellSide &two) const
+      {
+        return joint_of_side.count(side) == 0 &&
+               angle_between(one, two) <= fold_angle;
+      }
+
+      /** Refuse cells that lie on each other on the same side of a line. */
+      void
+      check_overlaps() const
+      {
+        for (const auto &[side, of] : cells_of_side)
+          for (unsigned int i = 0; i < of.size(); ++i)
+            for (unsigned int j = 0; j < i; ++j)
+              if (const double angle = angle_between(of[j], of[i]); angle > 175)
+                refuse(mesh.cell_in_words(of[j].cell) + " and the cell " +
+                       std::to_string(mesh.cell_numbers[of[i].cell]) +
+                       " lie on each other beside a common side, but parts of "
+                       "the shell may meet at 175 degrees at most.");
       }
 
       /** Give all cells of a connected part the orientation of its first one.
-       */
+       * Where three or more cells meet, only those that go on smoothly are
+       * connected. */
       void
       orient()
       {
@@ -208,18 +313,18 @@ namespace Biface
                 to_visit.pop_back();
                 for (unsigned int f = 0; f < 4; ++f)
                   {
-                    const Side side = mesh.side(c, f);
-                    for (const auto &other :
-                         cells_of_side.at(key_of_side(c, f)))
+                    const Side     key = key_of_side(c, f);
+                    const auto    &all = cells_of_side.at(key);
+                    const CellSide own{c, f};
+                    for (const CellSide &other : all)
                       {
-                        if (other.cell == c)
+                        if (other.cell == c ||
+                            (all.size() > 2 && !is_smooth(key, own, other)))
                           continue;
-                        // it runs in opposite directions around both
-                        const bool same = (mesh.side(other.cell, other.face) ==
-                                           Side{{side[1], side[0]}});
-                        const int  wanted =
-                          same ? orientation[c] : -orientation[c];
-                        int &of = orientation[other.cell];
+                        const int wanted = run_oppositely(own, other)
+                                             ? orientation[c]
+                                             : -orientation[c];
+                        int      &of     = orientation[other.cell];
                         if (of == 0)
                           {
                             of = wanted;
@@ -236,6 +341,8 @@ namespace Biface
         for (unsigned int c = 0; c < mesh.cells.size(); ++c)
           if (orientation[c] < 0)
             std::swap(mesh.cells[c][1], mesh.cells[c][2]);
+        // the numbers of sides have changed
+        find_sides();
       }
 
       /** Let opposite sides of all cells run in the same direction, which
@@ -255,34 +362,101 @@ namespace Biface
                     mesh.cells[c].begin());
       }
 
+      /** Find the sides of single cells, those of folds apart, and the cells of
+       * the sides in their final order. */
       void
       find_free_sides()
       {
+        find_sides();
+        std::set<Side> of_folds;
+        for (const RawFold &fold : raw_folds)
+          for (const RawFold::Part &part : fold.cells)
+            of_folds.insert(QuadrilateralMesh::without_direction(part.side));
         for (unsigned int c = 0; c < mesh.cells.size(); ++c)
           for (unsigned int f = 0; f < 4; ++f)
-            // by nodes: the numbers of sides have changed with the orientation
-            if (cells_of_side.at(key_of_side(c, f)).size() == 1)
-              mesh.free_sides.push_back({c, f});
+            {
+              const Side key = key_of_side(c, f);
+              if (cells_of_side.at(key).size() == 1 && of_folds.count(key) == 0)
+                mesh.free_sides.push_back({c, f});
+            }
+        for (const auto &[group, nodes] : sets_of_nodes)
+          add_free_sides(mesh.groups[group], nodes);
+      }
+
+      /** The cells around each node. */
+      std::vector<std::vector<unsigned int>>
+      cells_around() const
+      {
+        std::vector<std::vector<unsigned int>> around(mesh.nodes.size());
+        for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+          for (const unsigned int node : mesh.cells[c])
+            around[node].push_back(c);
+        return around;
+      }
+
+      /** Sort the cells around each node into parts that are connected by sides
+       * at the node.
+       * @param connected whether two cells at a side are.
+       * @return the number of the part of each vertex, from 0 in the order of
+       * the cells. */
+      template <typename Predicate>
+      std::vector<std::array<unsigned int, 4>>
+      parts_around_nodes(const Predicate &connected) const
+      {
+        // unite the vertices of cells
+        std::vector<unsigned int> first(4 * mesh.cells.size());
+        std::iota(first.begin(), first.end(), 0);
+        const auto root = [&first](unsigned int i) {
+          while (first[i] != i)
+            i = first[i] = first[first[i]];
+          return i;
+        };
+        const auto vertex = [this](const unsigned int cell,
+                                   const unsigned int node) {
+          const auto &c = mesh.cells[cell];
+          return 4 * cell + (std::find(c.begin(), c.end(), node) - c.begin());
+        };
+        for (const auto &[side, of] : cells_of_side)
+          for (unsigned int i = 0; i < of.size(); ++i)
+            for (unsigned int j = 0; j < i; ++j)
+              if (connected(side, of[j], of[i]))
+                for (const unsigned int node : side)
+                  {
+                    const unsigned int a  = root(vertex(of[i].cell, node)),
+                                       b  = root(vertex(of[j].cell, node));
+                    first[std::max(a, b)] = std::min(a, b);
+                  }
+
+        std::vector<std::array<unsigned int, 4>> parts(mesh.cells.size());
+        std::vector<std::vector<unsigned int>>   roots(mesh.nodes.size());
+        for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+          for (unsigned int v = 0; v < 4; ++v)
+            {
+              auto              &known = roots[mesh.cells[c][v]];
+              const unsigned int own   = root(4 * c + v);
+              const auto found = std::find(known.begin(), known.end(), own);
+              parts[c][v]      = found - known.begin();
+              if (found == known.end())
+                known.push_back(own);
+            }
+        return parts;
       }
 
       /** Refuse nodes at which parts of the shell meet that have no side in
        * common. */
       void
-      check_fans() const
+      check_connected() const
       {
-        std::vector<unsigned int> n_cells(mesh.nodes.size()),
-          n_sides(mesh.nodes.size());
-        for (const auto &cell : mesh.cells)
-          for (const unsigned int node : cell)
-            ++n_cells[node];
-        for (const auto &side : cells_of_side)
-          for (const unsigned int node : side.first)
-            ++n_sides[node];
-        for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
-          if (n_sides[n] > n_cells[n] + 1)
-            refuse(node_in_words(n) +
-                   " joins parts of the shell that have no side in common, but "
-                   "the cells around a node must be neighbors.");
+        const auto parts = parts_around_nodes(
+          [](const Side &, const CellSide &, const CellSide &) {
+            return true;
+          });
+        for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+          for (unsigned int v = 0; v < 4; ++v)
+            if (parts[c][v] > 0)
+              refuse(node_in_words(mesh.cells[c][v]) +
+                     " joins parts of the shell that have no side in common, "
+                     "but the cells around a node must be neighbors.");
       }
 
       /** Refuse two nodes of free sides at one place, where the mesh would come
@@ -291,9 +465,9 @@ namespace Biface
       check_places() const
       {
         std::set<unsigned int> ends;
-        for (const auto &side : mesh.free_sides)
-          for (const unsigned int node : mesh.side(side.cell, side.face))
-            ends.insert(node);
+        for (const auto &side : cells_of_side)
+          if (side.second.size() == 1)
+            ends.insert(side.first.begin(), side.first.end());
         std::vector<unsigned int> sorted_nodes(ends.begin(), ends.end());
         double                    size = 0;
         for (const Point<3> &x : mesh.nodes)
@@ -314,6 +488,206 @@ namespace Biface
                      std::to_string(mesh.node_numbers[*b]) +
                      " are at the same place, where the shell would come "
                      "apart; merge them (Gmsh: 'Coherence Mesh').");
+      }
+
+      /** Give each smooth part of the surface nodes of its own, and find the
+       * sides at which several parts meet. */
+      void
+      split_nodes()
+      {
+        const auto parts = parts_around_nodes(
+          [this](const Side &side, const CellSide &one, const CellSide &two) {
+            return is_smooth(side, one, two);
+          });
+        const unsigned int n_nodes = mesh.nodes.size();
+        // by the node of the file and the part
+        std::vector<std::vector<unsigned int>> copies(n_nodes);
+        for (unsigned int n = 0; n < n_nodes; ++n)
+          copies[n].push_back(n);
+        std::vector<std::array<unsigned int, 4>> of_file = mesh.cells;
+        for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+          for (unsigned int v = 0; v < 4; ++v)
+            {
+              const unsigned int n = of_file[c][v];
+              // parts are in the order of cells
+              if (parts[c][v] == copies[n].size())
+                {
+                  copies[n].push_back(mesh.nodes.size());
+                  const Point<3> position = mesh.nodes[n];
+                  mesh.nodes.push_back(position);
+                  const std::size_t number = mesh.node_numbers[n];
+                  mesh.node_numbers.push_back(number);
+                }
+            }
+
+        // sides by the nodes of the file, which groups have
+        std::vector<std::set<unsigned int>> nodes_of_groups(mesh.groups.size());
+        std::map<Side, std::vector<unsigned int>> groups_of_side;
+        for (unsigned int g = 0; g < mesh.groups.size(); ++g)
+          {
+            Group &group = mesh.groups[g];
+            if (group.sides.empty())
+              // a point holds one part, which holds the others
+              nodes_of_groups[g].insert(group.nodes.begin(), group.nodes.end());
+            for (const Side &side : group.sides)
+              groups_of_side[side].push_back(g);
+            group.sides.clear();
+          }
+        for (const auto &[side, of] : cells_of_side)
+          {
+            RawFold fold;
+            bool    several = false;
+            for (const CellSide &at : of)
+              {
+                const Side directed = mesh.side(at.cell, at.face);
+                Side       own;
+                for (unsigned int k = 0; k < 2; ++k)
+                  {
+                    const auto        &c = of_file[at.cell];
+                    const unsigned int v =
+                      std::find(c.begin(), c.end(), directed[k]) - c.begin();
+                    own[k] = copies[directed[k]][parts[at.cell][v]];
+                  }
+                const Side key   = QuadrilateralMesh::without_direction(own);
+                const auto named = groups_of_side.find(side);
+                if (named != groups_of_side.end())
+                  for (const unsigned int g : named->second)
+                    {
+                      nodes_of_groups[g].insert(own.begin(), own.end());
+                      // loads act on the first part
+                      if (fold.cells.empty())
+                        mesh.groups[g].sides.push_back(key);
+                    }
+                fold.cells.push_back({at.cell, own});
+                several =
+                  several || key != QuadrilateralMesh::without_direction(
+                                      fold.cells[0].side);
+              }
+            if (several)
+              {
+                const auto joint = joint_of_side.find(side);
+                fold.stiffness   = (joint == joint_of_side.end()
+                                      ? std::numeric_limits<double>::infinity()
+                                      : joint->second);
+                raw_folds.push_back(fold);
+              }
+          }
+        for (unsigned int g = 0; g < mesh.groups.size(); ++g)
+          {
+            Group &group = mesh.groups[g];
+            group.nodes.assign(nodes_of_groups[g].begin(),
+                               nodes_of_groups[g].end());
+            std::sort(group.sides.begin(), group.sides.end());
+          }
+        // all copies of the nodes of a set of nodes, but of a single one
+        for (auto &[group, nodes] : sets_of_nodes)
+          {
+            std::set<unsigned int> all;
+            for (const unsigned int n : nodes)
+              if (nodes.size() == 1)
+                all.insert(n);
+              else
+                all.insert(copies[n].begin(), copies[n].end());
+            nodes = all;
+          }
+
+        for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+          for (unsigned int v = 0; v < 4; ++v)
+            mesh.cells[c][v] = copies[of_file[c][v]][parts[c][v]];
+        for (const auto &joint : copies)
+          if (joint.size() > 1)
+            mesh.joints.push_back(joint);
+      }
+      /** Set the folds, whose cells have their final order now. */
+      void
+      complete_folds()
+      {
+        for (const RawFold &raw_fold : raw_folds)
+          {
+            Fold fold;
+            fold.stiffness = raw_fold.stiffness;
+            // the directions into the cells, and their normals
+            std::vector<Tensor<1, 3>> inward, normals;
+            for (const RawFold::Part &part : raw_fold.cells)
+              {
+                unsigned int f = 0;
+                while (mesh.side(part.cell, f) != part.side)
+                  ++f;
+                fold.cells.push_back({part.cell, f});
+                const Tensor<1, 3> along =
+                  mesh.nodes[part.side[1]] - mesh.nodes[part.side[0]];
+                inward.push_back(cross_product_3d(normal_of(part.cell), along));
+                normals.push_back(cross_product_3d(along, inward.back()));
+                normals.back() /= normals.back().norm();
+                inward.back() /= inward.back().norm();
+              }
+            for (unsigned int face = 0; face < 2; ++face)
+              for (unsigned int i = 0; i < fold.cells.size(); ++i)
+                {
+                  // the first cell from there around the side
+                  unsigned int next  = i;
+                  double       least = 2 * numbers::PI;
+                  for (unsigned int j = 0; j < fold.cells.size(); ++j)
+                    {
+                      if (j == i)
+                        continue;
+                      double angle = std::atan2((face == 0 ? -1. : 1.) *
+                                                  (inward[j] * normals[i]),
+                                                inward[j] * inward[i]);
+                      if (angle < 0)
+                        angle += 2 * numbers::PI;
+                      if (angle < least)
+                        {
+                          least = angle;
+                          next  = j;
+                        }
+                    }
+                  const Side &one = raw_fold.cells[i].side,
+                             &two = raw_fold.cells[next].side;
+                  // nodes at the same places, in the opposite direction
+                  const bool faces_it =
+                    (mesh.nodes[one[0]] == mesh.nodes[two[1]]);
+                  if (i < next && faces_it && one != Side{{two[1], two[0]}})
+                    fold.wedges[face].push_back({{i, next}});
+                }
+            mesh.folds.push_back(fold);
+          }
+      }
+
+      /** Find the corners around which folds of two cells run. */
+      void
+      find_corners()
+      {
+        // the nodes after each one, counterclockwise about the outward normal
+        std::map<unsigned int, std::vector<unsigned int>> next;
+        for (const RawFold &fold : raw_folds)
+          {
+            const Side &one = fold.cells[0].side, &two = fold.cells[1].side;
+            for (const RawFold::Part &part : fold.cells)
+              if (fold.cells.size() > 2)
+                for (const unsigned int node : part.side)
+                  // no corner of this kind
+                  next[node].insert(next[node].end(), 2, node);
+            if (one[0] != two[1])
+              next[two[1]].push_back(one[0]);
+            if (one[1] != two[0])
+              next[one[1]].push_back(two[0]);
+          }
+        for (const auto &joint : mesh.joints)
+          {
+            std::vector<unsigned int> around{joint[0]};
+            while (around.size() <= joint.size() &&
+                   next[around.back()].size() == 1)
+              around.push_back(next[around.back()][0]);
+            if (joint.size() >= 3 && around.size() == joint.size() + 1 &&
+                around.back() == joint[0])
+              {
+                around.pop_back();
+                if (std::set<unsigned int>(around.begin(), around.end())
+                      .size() == joint.size())
+                  mesh.corners.push_back(around);
+              }
+          }
       }
 
       void
@@ -342,32 +716,6 @@ namespace Biface
                      " has no normal: the cells around it are folded onto each "
                      "other.");
             mesh.normals[n] /= mesh.normals[n].norm();
-          }
-      }
-
-      void
-      check_folds(const double fold_angle) const
-      {
-        for (const auto &side : cells_of_side)
-          {
-            if (side.second.size() < 2)
-              continue;
-            const unsigned int one = side.second[0].cell,
-                               two = side.second[1].cell;
-            Tensor<1, 3> a = normal_of(one), b = normal_of(two);
-            const double angle =
-              std::atan2(cross_product_3d(a, b).norm(), a * b) * 180 /
-              numbers::PI;
-            if (angle > fold_angle)
-              refuse(mesh.cell_in_words(one) + " and the cell " +
-                     std::to_string(mesh.cell_numbers[two]) +
-                     " meet at an angle of " +
-                     number_to_string(std::round(10 * angle) / 10) +
-                     " degrees, but it must be at most 'Surface/Mesh/Fold "
-                     "angle', " +
-                     number_to_string(fold_angle) +
-                     ": folds are not possible; on a smooth surface, use "
-                     "smaller cells or a larger angle.");
           }
       }
 
@@ -418,28 +766,28 @@ namespace Biface
             mesh.groups.push_back(group);
           }
         for (const auto &[set_name, nodes] : raw.node_sets)
-          mesh.groups.push_back(group_of_nodes(set_name, nodes));
+          {
+            auto &own = sets_of_nodes[mesh.groups.size()];
+            for (const unsigned int node : nodes)
+              if (new_number[node] != numbers::invalid_unsigned_int)
+                own.insert(new_number[node]);
+            mesh.groups.emplace_back();
+            mesh.groups.back().name = set_name;
+          }
       }
 
-      /** The group of a set of nodes, with the free sides between them. */
-      Group
-      group_of_nodes(const std::string               &set_name,
-                     const std::vector<unsigned int> &nodes) const
+      /** Make a group of a set of nodes, with the free sides between them. */
+      void
+      add_free_sides(Group &group, const std::set<unsigned int> &set_of_nodes)
       {
-        std::set<unsigned int> of_cells;
-        for (const unsigned int node : nodes)
-          if (new_number[node] != numbers::invalid_unsigned_int)
-            of_cells.insert(new_number[node]);
-        Group group;
-        group.name = set_name;
-        group.nodes.assign(of_cells.begin(), of_cells.end());
-        for (const auto &free_side : mesh.free_sides)
+        group.nodes.assign(set_of_nodes.begin(), set_of_nodes.end());
+        for (const CellSide &free_side : mesh.free_sides)
           {
             const Side side = mesh.side(free_side.cell, free_side.face);
-            if (of_cells.count(side[0]) > 0 && of_cells.count(side[1]) > 0)
+            if (set_of_nodes.count(side[0]) > 0 &&
+                set_of_nodes.count(side[1]) > 0)
               group.sides.push_back(QuadrilateralMesh::without_direction(side));
           }
-        return group;
       }
 
       std::string
@@ -450,14 +798,36 @@ namespace Biface
                                         : found->second;
       }
 
-      const MeshText   &raw;
-      const std::string name;
-      QuadrilateralMesh mesh;
+      /** A fold before the vertices of its cells are in their final order. */
+      struct RawFold
+      {
+        /** A cell, and its side in the direction in which it runs around the
+         * cell counterclockwise. */
+        struct Part
+        {
+          unsigned int cell;
+          Side         side;
+        };
+        std::vector<Part> cells;
+        double            stiffness;
+      };
+
+      const MeshText                  &raw;
+      const std::string                name;
+      const double                     fold_angle;
+      const std::vector<JointOfGroup> &joints;
+      QuadrilateralMesh                mesh;
+      std::vector<RawFold>             raw_folds;
+      /** The stiffness of joints that the user has chosen, by the nodes of the
+       * file. */
+      std::map<Side, double> joint_of_side;
+      /** The nodes of sets of nodes, by the group. */
+      std::map<unsigned int, std::set<unsigned int>> sets_of_nodes;
       /** The number of each node of the file in the mesh; invalid for those of
        * no cell. */
-      std::vector<unsigned int>                                new_number;
-      std::map<Side, std::vector<QuadrilateralMesh::FreeSide>> cells_of_side;
-      std::map<std::pair<unsigned int, long>, Group>           groups;
+      std::vector<unsigned int>                      new_number;
+      std::map<Side, std::vector<CellSide>>          cells_of_side;
+      std::map<std::pair<unsigned int, long>, Group> groups;
     };
   } // namespace
 
@@ -494,9 +864,10 @@ namespace Biface
 
 
   QuadrilateralMesh
-  parse_mesh(const std::string &text,
-             const std::string &file_name,
-             const double       fold_angle)
+  parse_mesh(const std::string               &text,
+             const std::string               &file_name,
+             const double                     fold_angle,
+             const std::vector<JointOfGroup> &joints)
   {
     const std::string name  = "the mesh '" + file_name + "'";
     const auto        first = text.find_first_not_of(" \t\n");
@@ -508,6 +879,6 @@ namespace Biface
                        "starts with a line of '*'.");
     const MeshText raw = (text[first] == '$' ? read_gmsh(text, file_name)
                                              : read_abaqus(text, file_name));
-    return MeshBuilder(raw, name).build(fold_angle);
+    return MeshBuilder(raw, name, fold_angle, joints).build();
   }
 } // namespace Biface

@@ -18,13 +18,33 @@ namespace Biface
   class EntryDeclarations;
   struct QuadrilateralMesh;
 
+  /** How the parts of the surface are joined at the sides of a group. */
+  struct JointOfGroup
+  {
+    /** The text of the user. */
+    std::string text;
+    std::string group;
+    /** See QuadrilateralMesh::Fold::stiffness. */
+    double stiffness;
+  };
+
+  /** Read a comma-separated list of joints, 'lines: rigid', 'lines: hinge' or
+   * 'lines: STIFFNESS'. Throws InputError if it is malformed or names a group
+   * twice. */
+  std::vector<JointOfGroup>
+  parse_joints(const std::string &entry, const std::string &text);
+
+
   /** The entries of a mesh from a file, and what the file contains. */
   struct MeshFile
   {
     /** The name of the file; empty for none. */
     std::string name;
-    /** The largest angle at which neighboring cells may meet. Unit: degrees. */
+    /** The largest angle at which neighboring cells form a smooth surface.
+     * Unit: degrees. */
     double fold_angle = 20;
+    /** How cells are joined at groups of lines. */
+    std::vector<JointOfGroup> joints;
     /** The first direction of the material, which is projected into the
      * surface: three formulas of the position. */
     std::vector<Formula> direction;

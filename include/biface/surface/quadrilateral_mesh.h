@@ -14,13 +14,19 @@
 
 namespace Biface
 {
+  struct JointOfGroup;
+
   /**
    * A mesh of quadrilaterals in space whose parts have names, from a file of
    * another program: the positions of its nodes, its cells, and its groups.
    *
    * All cells of a connected part have the same orientation, that of its first
    * cell in the file: the outward normal is the one about which the nodes of
-   * the file run counterclockwise.
+   * the file run counterclockwise. Sides at which three or more cells meet
+   * connect only those that go on smoothly.
+   *
+   * At a fold, each smooth part of the surface has nodes of its own at the same
+   * places.
    */
   struct QuadrilateralMesh
   {
@@ -31,7 +37,8 @@ namespace Biface
      * by their angles at the node. */
     std::vector<dealii::Tensor<1, 3>> normals;
 
-    /** The nodes of the cells in the order of deal.II, lexicographic. */
+    /** The nodes of the cells in the order of deal.II, lexicographic. Nodes of
+     * parts that meet at a fold follow after those of the file. */
     std::vector<std::array<unsigned int, 4>> cells;
 
     /** The numbers of the nodes and the cells in the file, for messages. */
@@ -54,13 +61,37 @@ namespace Biface
 
     std::vector<Group> groups;
 
-    /** The sides that belong to one cell only, with the cell and the number of
-     * the side in it, see dealii::GeometryInfo. */
-    struct FreeSide
+    /** A side with its cell, and its number there, see dealii::GeometryInfo. */
+    struct CellSide
     {
       unsigned int cell, face;
     };
-    std::vector<FreeSide> free_sides;
+    /** The sides that belong to one cell only. */
+    std::vector<CellSide> free_sides;
+
+    /** A side at which parts of the surface meet at an angle or a hinge. */
+    struct Fold
+    {
+      /** All cells that meet there. Two of them that belong to one part have
+       * the same nodes at the side. */
+      std::vector<CellSide> cells;
+      /** The moment per length and angle between the parts; infinite if they
+       * are joined rigidly, zero at a hinge. Unit: force. */
+      double stiffness;
+      /** Pairs of positions in @p cells whose inner, or outer, faces bound one
+       * wedge between them: a pressure there acts on the gap between their
+       * edges, too. The outward normal points out of the wedge of inner faces.
+       */
+      std::array<std::vector<std::array<unsigned int, 2>>, 2> wedges;
+    };
+    std::vector<Fold> folds;
+
+    /** The nodes at one place that belong to different parts. */
+    std::vector<std::vector<unsigned int>> joints;
+
+    /** Corners that folds enclose: the nodes of the parts around, three at
+     * least, counterclockwise about the outward normal. */
+    std::vector<std::vector<unsigned int>> corners;
 
     /** The center of a cell, the mean of its nodes. */
     dealii::Point<3>
@@ -93,16 +124,17 @@ namespace Biface
    *
    * Throws InputError, naming the file and the line, if the text is anything
    * else; naming the cell or the node and its position, if there are triangles
-   * or solids, if a cell is concave or degenerate, if more than two cells share
-   * a side, if the surface has one side only, if two nodes are at one place, or
-   * if neighboring cells meet at more than @p fold_angle.
+   * or solids, if a cell is concave or degenerate, if cells cover each other,
+   * if the surface has one side only, or if two nodes are at one place.
    *
-   * @param fold_angle in degrees.
+   * @param fold_angle the angle in degrees above which cells meet at a fold.
+   * @param joints how parts are joined at sides of groups; elsewhere rigidly.
    */
   QuadrilateralMesh
-  parse_mesh(const std::string &text,
-             const std::string &file_name,
-             const double       fold_angle);
+  parse_mesh(const std::string               &text,
+             const std::string               &file_name,
+             const double                     fold_angle,
+             const std::vector<JointOfGroup> &joints = {});
 } // namespace Biface
 
 #endif

@@ -6,6 +6,8 @@
 #include <biface/model/forces/centrifugal_forces.h>
 #include <biface/model/forces/edge_moments.h>
 #include <biface/model/forces/end_plates.h>
+#include <biface/model/forces/joints.h>
+#include <biface/model/forces/pressure_at_folds.h>
 
 namespace Biface
 {
@@ -19,6 +21,11 @@ namespace Biface
     terms.push_back(
       std::make_unique<DeadForces>(mesh, dead_loads, pressure.area));
     terms.push_back(std::make_unique<PressureForces>(mesh, pressure));
+    if (mesh.has_folds())
+      {
+        terms.push_back(std::make_unique<Joints>(mesh));
+        terms.push_back(std::make_unique<PressureAtFolds>(mesh, pressure));
+      }
     if (!pressure.end_plates.empty())
       terms.push_back(std::make_unique<EndPlates>(mesh, pressure));
     terms.push_back(

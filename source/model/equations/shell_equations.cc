@@ -154,8 +154,12 @@ namespace Biface
               known_couplings.push_back(coupling);
               known_couplings.back().stiffness.reinit(0, 0);
             }
-        matrix =
-          std::make_unique<TangentMatrix>(mesh, constraints, known_couplings);
+        std::vector<const Cell *> of_terms;
+        for (const Element &element : elements)
+          if (element.owner)
+            of_terms.push_back(element.cell);
+        matrix = std::make_unique<TangentMatrix>(
+          mesh, constraints, known_couplings, of_terms);
       }
     matrix->clear();
     rhs = 0;

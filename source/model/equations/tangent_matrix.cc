@@ -16,7 +16,8 @@ namespace Biface
   TangentMatrix::TangentMatrix(
     const ShellMesh                        &mesh,
     const AffineConstraints<double>        &constraints,
-    const std::vector<ForceTerm::Coupling> &couplings)
+    const std::vector<ForceTerm::Coupling> &couplings,
+    const std::vector<const Cell *>        &elements)
     : mesh(mesh)
     , constraints(constraints)
     , fast_cell(mesh.cells.size(), numbers::invalid_unsigned_int)
@@ -45,6 +46,8 @@ namespace Biface
             row, coupling.columns.begin(), coupling.columns.end());
         coupled.insert(coupling.nodes);
       }
+    for (const Cell *element : elements)
+      constraints.add_entries_local_to_global(element->dofs, pattern, false);
     pattern.compress();
     matrix.reinit(pattern);
 

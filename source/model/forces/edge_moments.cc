@@ -3,6 +3,7 @@
 #include <biface/base/errors.h>
 #include <biface/element/quadrilateral.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/laminate/stiffness_along.h>
 #include <biface/model/forces/edge_moments.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/model/state/loads.h>
@@ -35,48 +36,6 @@ namespace Biface
 
   namespace
   {
-    /** The force on the face p by the strain of the face q. Unit:
-     * force/length. */
-    using StiffnessOfFaces = std::array<std::array<double, 2>, 2>;
-
-
-    /** Laminate::stiffness_along() a direction between the axes of the
-     * laminate, a unit vector. */
-    StiffnessOfFaces
-    stiffness_along(const Laminate &laminate, const Tensor<1, 2> &direction)
-    {
-      const Resultants::Matrix &D = laminate.stiffness();
-      // by strains along the direction, with no thickness stress; unsymmetric
-      // laws have none anyway
-      std::array<Resultants::Vector, 2> strains;
-      for (unsigned int face = 0; face < 2; ++face)
-        {
-          for (unsigned int i = 0; i < 2; ++i)
-            strains[face][Resultants::tangential(i, face)] =
-              direction[i] * direction[i];
-          strains[face][Resultants::tangential(2, face)] =
-            2 * direction[0] * direction[1];
-        }
-      constexpr unsigned int thickness = Resultants::thickness;
-      StiffnessOfFaces       stiffness{};
-      for (unsigned int q = 0; q < 2; ++q)
-        {
-          Resultants::Vector H = D * strains[q];
-          if (laminate.is_symmetric())
-            {
-              Resultants::Vector E = strains[q];
-              E[thickness]         = -H[thickness] / D[thickness][thickness];
-              H                    = D * E;
-            }
-          for (unsigned int p = 0; p < 2; ++p)
-            for (unsigned int i = 0; i < 3; ++i)
-              stiffness[p][q] += H[Resultants::tangential(i, p)] *
-                                 strains[p][Resultants::tangential(i, p)];
-        }
-      return stiffness;
-    }
-
-
     /** The stiffness of a layer along the coordinate that runs across an edge,
      * or, on a mesh without coordinates, across the side itself. */
     StiffnessOfFaces

@@ -30,7 +30,7 @@ namespace Biface
     constexpr double epsilon  = std::numeric_limits<double>::epsilon();
 
 
-    /** A linear equation for the unknowns of a node. */
+    /** A linear equation for the unknowns of a node or a joint. */
     struct Equation
     {
       std::valarray<double> coefficients;
@@ -47,32 +47,37 @@ namespace Biface
 
 
     /** An equation for the displacements of the faces as one for the unknowns
-     * of a node, in the order of Node::dofs. */
+     * of the nodes, in the order of Node::dofs. */
     Equation
-    for_unknowns(const SupportEquation &equation)
+    for_unknowns(const SupportEquation &equation, const unsigned int n_faces)
     {
-      const unsigned int n_faces = equation.coefficients.size() / 3;
-      Equation result{std::valarray<double>(0., 3 * n_faces), equation.values};
-      for (unsigned int i = 0; i < 3; ++i)
+      const unsigned int n = equation.coefficients.size();
+      Equation           result{std::valarray<double>(0., n), equation.values};
+      // by node and component
+      for (unsigned int begin = 0; begin < n; begin += n_faces)
         for (unsigned int face = 0; face < n_faces; ++face)
           for (unsigned int part = 0; part < n_faces; ++part)
-            result.coefficients[n_faces * i + part] +=
+            result.coefficients[begin + part] +=
               Node::sign_of_part(face, part) *
-              equation.coefficients[n_faces * i + face];
+              equation.coefficients[begin + face];
       return result;
     }
 
 
-    /** The equations of all supports at a node. */
+    /** The equations of all supports at a node, or at the nodes of a joint. */
     class NodalEquations
     {
     public:
+      /** @param n_faces the number of faces of a node. */
+      NodalEquations(const unsigned int n_faces) : n_faces(n_faces)
+      {}
+
       /** Add an equation unless it follows from the others. @return whether it
        * is consistent with them. */
       bool
       add(const SupportEquation &equation)
       {
-        Equation     remainder = for_unknowns(equation);
+        Equation     remainder = for_unknowns(equation, n_faces);
         const double norm =
           std::sqrt(product(remainder.coefficients, remainder.coefficients));
         // sizes of the values that cancel, and of all prescribed displacements
@@ -126,7 +131,7 @@ namespace Biface
       {
         std::vector<Equation> rows;
         for (const SupportEquation &equation : independent)
-          rows.push_back(for_unknowns(equation));
+          rows.push_back(for_unknowns(equation, n_faces));
 
         std::vector<std::pair<unsigned int, Equation>> result;
         while (!rows.empty())
@@ -165,6 +170,7 @@ namespace Biface
       }
 
     private:
+      const unsigned int           n_faces;
       std::vector<SupportEquation> independent;
       /** The same equations, orthonormal. */
       std::vector<Equation> orthonormal;
@@ -246,6 +252,83 @@ namespace Biface
     }
 
 
+    /** Put an equation for one node among those for the nodes of a joint.
+     * @param position that of the node in the joint. */
+    SupportEquation
+    in_joint(const SupportEquation &equation,
+             const unsigned int     position,
+             const unsigned int     n_nodes)
+    {
+      const unsigned int n      = equation.coefficients.size();
+      SupportEquation    result = equation;
+      result.coefficients       = std::valarray<double>(0., n * n_nodes);
+      result.coefficients[std::slice(n * position, n, 1)] =
+        equation.coefficients;
+      return result;
+    }
+
+
+    /** The equations of the nodes of a joint: their points on the reference
+     * surface have the same displacement, and faces of layers lie on the
+     * straight lines between the inner and the outer face. */
+    std::vector<SupportEquation>
+    equations_of_joint(const std::vector<unsigned int> &joint,
+                       const MeshNodes                 &mesh,
+                       const unsigned int               n_factors)
+    {
+      std::vector<SupportEquation> equations;
+      const unsigned int           n_faces = mesh.nodes[joint[0]].n_parts();
+      const unsigned int           last    = n_faces - 1;
+      // the parts of the inner and the outer face in the displacement at a
+      // height
+      const auto parts = [last](const Node &node, const double height) {
+        const double inner = node.height(0), outer = node.height(last);
+        return std::array<double, 2>{{(outer - height) / (outer - inner),
+                                      (height - inner) / (outer - inner)}};
+      };
+      const SupportEquation empty{
+        std::valarray<double>(0., 3 * n_faces * joint.size()),
+        std::valarray<double>(0., n_factors),
+        numbers::invalid_unsigned_int,
+        1};
+      const auto add_point = [&](SupportEquation   &equation,
+                                 const unsigned int k,
+                                 const unsigned int d,
+                                 const double       sign) {
+        const Node &node = mesh.nodes[joint[k]];
+        const auto  part = parts(node, 0);
+        for (unsigned int i = 0; i < 3; ++i)
+          for (unsigned int face = 0; face < 2; ++face)
+            equation.coefficients[n_faces * (3 * k + i) + face * last] +=
+              sign * part[face] * node.surface.frame[i][d];
+      };
+      for (unsigned int k = 1; k < joint.size(); ++k)
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            SupportEquation equation = empty;
+            add_point(equation, 0, d, -1);
+            add_point(equation, k, d, 1);
+            equations.push_back(equation);
+          }
+      for (unsigned int k = 0; k < joint.size(); ++k)
+        for (unsigned int face = 1; face < last; ++face)
+          {
+            const Node &node = mesh.nodes[joint[k]];
+            const auto  part = parts(node, node.height(face));
+            for (unsigned int i = 0; i < 3; ++i)
+              {
+                SupportEquation    equation         = empty;
+                const unsigned int begin            = n_faces * (3 * k + i);
+                equation.coefficients[begin + face] = 1;
+                equation.coefficients[begin] -= part[0];
+                equation.coefficients[begin + last] -= part[1];
+                equations.push_back(equation);
+              }
+          }
+      return equations;
+    }
+
+
     /** Throw InputError if the surface has no such components. */
     void
     check_components(const std::string                   &entry,
@@ -322,6 +405,26 @@ namespace Biface
       first_of = cyclic_pairs(mesh);
     for (const auto &pair : first_of)
       is_first.insert(pair.second);
+    // the nodes of a joint, and the position of a node in its joint
+    std::map<unsigned int,
+             std::pair<const std::vector<unsigned int> *, unsigned>>
+      joint_of;
+    for (const auto &joint : mesh.joints)
+      for (unsigned int k = 0; k < joint.size(); ++k)
+        joint_of[joint[k]] = {&joint, k};
+    const auto add_equation = [&](const unsigned int     node,
+                                  const SupportEquation &equation) {
+      const auto         joint = joint_of.find(node);
+      const unsigned int first =
+        (joint == joint_of.end() ? node : (*joint->second.first)[0]);
+      NodalEquations &at_node =
+        equations.try_emplace(first, mesh.nodes[node].n_parts()).first->second;
+      return at_node.add(joint == joint_of.end()
+                           ? equation
+                           : in_joint(equation,
+                                      joint->second.second,
+                                      joint->second.first->size()));
+    };
     // the second node of a cyclic pair has the displacements of the first,
     // which therefore obeys the supports of both
     const unsigned int n_factors = number_of_factors(supports);
@@ -339,7 +442,7 @@ namespace Biface
                           supported.bodies.size() - 1,
                           share,
                           n_factors))
-          if (!equations[paired ? pair->second : node].add(equation))
+          if (!add_equation(paired ? pair->second : node, equation))
             contradiction = true;
     };
 
@@ -348,7 +451,12 @@ namespace Biface
       if (first_of.count(n) == 0)
         for (const SupportEquation &equation :
              equations_of_absent_layers(mesh.nodes[n], n_factors))
-          equations[n].add(equation);
+          add_equation(n, equation);
+    for (const auto &joint : mesh.joints)
+      for (const SupportEquation &equation :
+           equations_of_joint(joint, mesh, n_factors))
+        equations.try_emplace(joint[0], mesh.nodes[joint[0]].n_parts())
+          .first->second.add(equation);
     for (const auto &item : supports.points)
       {
         check_components("Supports/Point supports", item.conditions, surface);
@@ -391,7 +499,7 @@ namespace Biface
     for (const auto &pair : first_of)
       {
         second_of[pair.second] = pair.first;
-        equations[pair.second];
+        equations.try_emplace(pair.second, mesh.nodes[pair.second].n_parts());
       }
     if (Utilities::MPI::logical_or(contradiction, mesh.communicator))
       throw InputError("the section 'Supports' prescribes contradictory "
@@ -401,26 +509,32 @@ namespace Biface
     prescribed.clear();
     for (const auto &item : equations)
       {
-        const Node        &node   = mesh.nodes[item.first];
+        const auto                      joint = joint_of.find(item.first);
+        const std::vector<unsigned int> nodes =
+          (joint == joint_of.end() ? std::vector<unsigned int>{item.first}
+                                   : *joint->second.first);
+        std::vector<types::global_dof_index> dofs;
+        for (const unsigned int n : nodes)
+          dofs.insert(
+            dofs.end(), mesh.nodes[n].dofs.begin(), mesh.nodes[n].dofs.end());
         const auto         second = second_of.find(item.first);
         const unsigned int partner =
           (second != second_of.end() ? second->second
                                      : numbers::invalid_unsigned_int);
-        supported.items.push_back(
-          {item.first, partner, item.second.equations()});
+        supported.items.push_back({nodes, partner, item.second.equations()});
 
-        const unsigned int                 n_unknowns = node.dofs.size();
+        const unsigned int                 n_unknowns = dofs.size();
         std::vector<std::valarray<double>> values(n_unknowns);
         for (const auto &row : item.second.solved())
           {
             values[row.first] = row.second.values;
-            const auto dof    = node.dofs[row.first];
+            const auto dof    = dofs[row.first];
             constraints.add_line(dof);
             for (unsigned int i = 0; i < n_unknowns; ++i)
               if (i != row.first &&
                   std::abs(row.second.coefficients[i]) > roundoff)
                 constraints.add_entry(
-                  dof, node.dofs[i], -row.second.coefficients[i]);
+                  dof, dofs[i], -row.second.coefficients[i]);
             if (!is_zero(row.second.values))
               prescribed.push_back({dof, row.second.values});
           }
@@ -429,7 +543,7 @@ namespace Biface
             {
               const auto dof = mesh.nodes[partner].dofs[i];
               constraints.add_line(dof);
-              constraints.add_entry(dof, node.dofs[i], 1);
+              constraints.add_entry(dof, dofs[i], 1);
               if (!is_zero(values[i]))
                 prescribed.push_back({dof, values[i]});
             }

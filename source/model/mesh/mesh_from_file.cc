@@ -345,6 +345,66 @@ namespace Biface
   }
 
 
+  void
+  ShellMesh::add_nodes_of_joints(
+    const QuadrilateralMesh                       &mesh,
+    const std::function<Node(const unsigned int)> &make_node,
+    std::map<unsigned int, unsigned int>          &node_of_number)
+  {
+    // the unknowns of all nodes of joints, from the ranks that own them
+    const unsigned int n_dofs = n_dofs_per_node();
+    std::size_t        n      = 0;
+    for (const std::vector<unsigned int> &joint : mesh.joints)
+      n += joint.size() * n_dofs;
+    if (n == 0)
+      return;
+    std::vector<types::global_dof_index> dofs(n);
+    const auto                           for_each = [&](const auto &visit) {
+      std::size_t begin = 0;
+      for (const std::vector<unsigned int> &joint : mesh.joints)
+        for (const unsigned int number : joint)
+          {
+            visit(number, &dofs[begin]);
+            begin += n_dofs;
+          }
+    };
+    for_each([&](const unsigned int number, types::global_dof_index *of_node) {
+      const auto node = node_of_number.find(number);
+      if (node != node_of_number.end() && nodes[node->second].locally_owned)
+        std::copy(nodes[node->second].dofs.begin(),
+                  nodes[node->second].dofs.end(),
+                  of_node);
+    });
+    // zero on ranks that do not own the node, so that the sum makes all known
+    Utilities::MPI::sum(dofs, communicator, dofs);
+
+    std::set<unsigned int> wanted;
+    for (const std::vector<unsigned int> &joint : mesh.joints)
+      if (std::any_of(
+            joint.begin(), joint.end(), [&](const unsigned int number) {
+              return node_of_number.count(number) > 0;
+            }))
+        wanted.insert(joint.begin(), joint.end());
+    for_each([&](const unsigned int number, types::global_dof_index *of_node) {
+      if (wanted.count(number) == 0 || node_of_number.count(number) > 0)
+        return;
+      Node node = make_node(number);
+      node.dofs.assign(of_node, of_node + n_dofs);
+      node_of_number[number] = nodes.size();
+      locally_relevant.add_indices(node.dofs.begin(), node.dofs.end());
+      neighbors.push_back({static_cast<unsigned int>(nodes.size())});
+      nodes.push_back(node);
+    });
+    for (const std::vector<unsigned int> &joint : mesh.joints)
+      if (wanted.count(joint[0]) > 0)
+        {
+          joints.emplace_back();
+          for (const unsigned int number : joint)
+            joints.back().push_back(node_of_number.at(number));
+        }
+  }
+
+
   ShellMesh::ShellMesh(const MPI_Comm                          communicator,
                        std::unique_ptr<const ReferenceSurface> surface,
                        const ChartGrid                        &grid,
@@ -511,6 +571,7 @@ namespace Biface
 
     std::map<unsigned int, unsigned int> node_of_number;
     std::vector<std::set<unsigned int>>  adjacent;
+    std::set<unsigned int>               owned_columns;
     for (const auto &cell : dof_handler->active_cell_iterators())
       {
         if (cell->is_artificial())
@@ -540,6 +601,7 @@ namespace Biface
         // cells of other ranks give nodes around, no elements
         if (!cell->is_locally_owned())
           continue;
+        owned_columns.insert(number);
 
         for (unsigned int f = 0; f < 4; ++f)
           {
@@ -608,6 +670,55 @@ namespace Biface
 
     for (const auto &set : adjacent)
       neighbors.emplace_back(set.begin(), set.end());
+    add_nodes_of_joints(mesh, make_node, node_of_number);
+    folds_on_any_rank = !mesh.folds.empty();
+
+    for (const QuadrilateralMesh::Fold &fold : mesh.folds)
+      {
+        const Side side = mesh.side(fold.cells[0].cell, fold.cells[0].face);
+        const auto named =
+          named_sides.find(QuadrilateralMesh::without_direction(side));
+        if (named != named_sides.end())
+          for (const unsigned int edge : named->second.edges)
+            edges[edge].is_inside = true;
+        if (owned_columns.count(fold.cells[0].cell) == 0)
+          continue;
+        FoldSide here;
+        here.stiffness           = fold.stiffness;
+        here.wedges              = fold.wedges;
+        const Tensor<1, 3> along = mesh.nodes[side[1]] - mesh.nodes[side[0]];
+        here.length              = along.norm();
+        for (const QuadrilateralMesh::CellSide &at : fold.cells)
+          {
+            const Side     own = mesh.side(at.cell, at.face);
+            FoldSide::Part part;
+            part.is_reversed = (mesh.nodes[own[0]] != mesh.nodes[side[0]]);
+            for (unsigned int end = 0; end < 2; ++end)
+              part.nodes[end] =
+                node_of_number.at(own[part.is_reversed ? 1 - end : end]);
+            part.strip = set_of_cells[at.cell];
+            Tensor<1, 3> normal;
+            for (const unsigned int n : mesh.cells[at.cell])
+              normal += normals[n];
+            const auto frame = frame_along(
+              normal / normal.norm(), file.direction_at(mesh.center(at.cell)));
+            part.across = Tensor<1, 2>({along * frame[1], -(along * frame[0])});
+            part.across /= part.across.norm();
+            here.parts.push_back(part);
+          }
+        folds.push_back(here);
+      }
+    for (const std::vector<unsigned int> &corner : mesh.corners)
+      {
+        std::vector<unsigned int> here;
+        for (const unsigned int number : corner)
+          if (const auto node = node_of_number.find(number);
+              node != node_of_number.end())
+            here.push_back(node->second);
+        if (!here.empty() && nodes[here[0]].number == corner[0] &&
+            nodes[here[0]].locally_owned)
+          corners.push_back(here);
+      }
     for (unsigned int i = 0; i < edges.size(); ++i)
       for (const unsigned int number : mesh.groups[group_of_edge[i]].nodes)
         {

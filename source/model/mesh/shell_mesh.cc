@@ -5,6 +5,8 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/grid/grid_tools.h>
+#include <deal.II/lac/lapack_full_matrix.h>
+#include <deal.II/lac/vector.h>
 
 #include <algorithm>
 #include <cmath>
@@ -520,25 +522,63 @@ namespace Biface
   void
   ShellMesh::add_imperfection(const Imperfection &deviation)
   {
-    LA::Vector        V = owned_vector();
-    GreatestDeviation greatest;
+    LA::Vector          V = owned_vector();
+    GreatestDeviation   greatest;
+    std::vector<double> deviations(nodes.size(), 0.);
     agree_on_errors(communicator, [&]() {
       for (unsigned int n = 0; n < nodes.size(); ++n)
         {
           const Node &node = nodes[n];
-          if (!node.locally_owned || holds_normal(node, constraints))
+          if (holds_normal(node, constraints))
             continue;
           const double w = deviation(node.surface.position, node.alpha);
+          deviations[n]  = w;
+          if (!node.locally_owned)
+            continue;
           V(node.dof(2, MixedElement::mean)) = w;
           greatest.add(w, curvature(n), node.surface.position, node.alpha);
         }
     });
     greatest.check(*surface, communicator);
+    set_deviation_of_joints(deviations, V);
     V.compress(VectorOperation::insert);
     constraints.distribute(V);
     imperfection = ghosted_vector();
     imperfection = V;
     check_slope_of_imperfection();
+  }
+
+
+  void
+  ShellMesh::set_deviation_of_joints(const std::vector<double> &deviations,
+                                     LA::Vector                &V) const
+  {
+    for (const std::vector<unsigned int> &joint : joints)
+      {
+        // least squares, the shortest one if several fit
+        LAPACKFullMatrix<double> squares(3, 3);
+        Vector<double>           products(3), shift(3);
+        squares = 0;
+        for (const unsigned int n : joint)
+          {
+            const Tensor<1, 3> &normal = nodes[n].surface.frame[2];
+            for (unsigned int i = 0; i < 3; ++i)
+              {
+                products[i] += deviations[n] * normal[i];
+                for (unsigned int j = 0; j < 3; ++j)
+                  squares(i, j) += normal[i] * normal[j];
+              }
+          }
+        squares.compute_inverse_svd(1e-3);
+        squares.vmult(shift, products);
+        const Tensor<1, 3> in_space({shift[0], shift[1], shift[2]});
+        for (const unsigned int n : joint)
+          {
+            const Tensor<1, 3> v = nodes[n].surface.to_frame(in_space);
+            for (unsigned int i = 0; i < 3 && nodes[n].locally_owned; ++i)
+              V(nodes[n].dof(i, MixedElement::mean)) = v[i];
+          }
+      }
   }
 
 

@@ -27,7 +27,8 @@ namespace Biface
 
     constexpr const char *ground_name = "foundation";
 
-    /** By the face, from the inner to the outer one, in the frame of a node. */
+    /** By the face, from the inner to the outer one, in the frame of a node;
+     * those of several nodes one after the other. */
     using FaceForces = std::vector<Tensor<1, 3>>;
 
 
@@ -46,14 +47,16 @@ namespace Biface
     /** The forces of single equations of supports on a node. */
     std::vector<FaceForces>
     support_forces(const std::vector<SupportEquation> &equations,
-                   const FaceForces                   &total)
+                   const FaceForces                   &total,
+                   const unsigned int                  n_faces)
     {
       const unsigned int n           = equations.size();
-      const unsigned int n_faces     = total.size();
       const auto         coefficient = [&](const unsigned int k,
                                    const unsigned int i,
                                    const unsigned int face) {
-        return equations[k].coefficients[n_faces * i + face];
+        const unsigned int node = face / n_faces;
+        return equations[k]
+          .coefficients[n_faces * (3 * node + i) + face % n_faces];
       };
 
       // a pair of nodes on cyclic edges without another support
@@ -69,16 +72,16 @@ namespace Biface
             products(k, l) =
               (equations[k].coefficients * equations[l].coefficients).sum();
           for (unsigned int i = 0; i < 3; ++i)
-            for (unsigned int face = 0; face < n_faces; ++face)
+            for (unsigned int face = 0; face < total.size(); ++face)
               work(k) += coefficient(k, i, face) * total[face][i];
         }
       products.gauss_jordan();
       products.vmult(multipliers, work);
 
-      std::vector<FaceForces> forces(n, FaceForces(n_faces));
+      std::vector<FaceForces> forces(n, FaceForces(total.size()));
       for (unsigned int k = 0; k < n; ++k)
         for (unsigned int i = 0; i < 3; ++i)
-          for (unsigned int face = 0; face < n_faces; ++face)
+          for (unsigned int face = 0; face < total.size(); ++face)
             forces[k][face][i] = multipliers(k) * coefficient(k, i, face);
       return forces;
     }
@@ -120,29 +123,42 @@ namespace Biface
                    const SupportedNodes::Item &item,
                    const LA::Vector           &nodal_forces)
     {
-      const bool       paired = item.partner != numbers::invalid_unsigned_int;
-      const FaceForces here =
-        face_forces(mesh, nodal_forces, mesh.nodes[item.node]);
+      const bool paired = item.partner != numbers::invalid_unsigned_int;
+      FaceForces here;
+      for (const unsigned int node : item.nodes)
+        {
+          const FaceForces own =
+            face_forces(mesh, nodal_forces, mesh.nodes[node]);
+          here.insert(here.end(), own.begin(), own.end());
+        }
       FaceForces there(here.size());
       if (paired)
         there = face_forces(mesh, nodal_forces, mesh.nodes[item.partner]);
 
       std::vector<SupportForce> result;
       FaceForces                rest = here, rest_there = there;
-      const auto held = support_forces(item.equations, sum(here, there));
+      const unsigned int        n_faces = mesh.n_layers() + 1;
+      const auto                held =
+        support_forces(item.equations, sum(here, there), n_faces);
       for (unsigned int k = 0; k < held.size(); ++k)
         {
           // a support of one edge holds both nodes of a cyclic pair, each with
           // its share
           const SupportEquation &equation = item.equations[k];
           const double           share    = paired ? equation.share : 1.;
-          // faces of a layer that does not exist exchange forces
+          // faces that stay together exchange forces
           if (equation.body == numbers::invalid_unsigned_int)
             {
               rest = sum(rest, scaled(-1, held[k]));
               continue;
             }
-          result.push_back({equation.body, item.node, scaled(share, held[k])});
+          for (unsigned int i = 0; i < item.nodes.size(); ++i)
+            {
+              const auto begin = held[k].begin() + n_faces * i;
+              result.push_back({equation.body,
+                                item.nodes[i],
+                                scaled(share, {begin, begin + n_faces})});
+            }
           rest = sum(rest, scaled(-share, held[k]));
           if (paired)
             {
@@ -156,7 +172,7 @@ namespace Biface
           const FaceForces passed_on =
             sum(scaled(0.5, rest), scaled(-0.5, rest_there));
           result.push_back(
-            {mesh.supported.cyclic_bodies[0], item.node, passed_on});
+            {mesh.supported.cyclic_bodies[0], item.nodes[0], passed_on});
           result.push_back({mesh.supported.cyclic_bodies[1],
                             item.partner,
                             scaled(-1, passed_on)});
@@ -295,11 +311,11 @@ namespace Biface
     missing = missing_here;
     initial = others[prestress];
     for (const SupportedNodes::Item &item : mesh.supported.items)
-      if (mesh.nodes[item.node].locally_owned)
+      if (mesh.nodes[item.nodes[0]].locally_owned)
         for (const auto &part : support_forces(mesh, item, missing))
           resultant.add(part.body, mesh.nodes[part.node], part.forces);
     for (const SupportedNodes::Item &item : mesh.supported.items)
-      if (mesh.nodes[item.node].locally_owned)
+      if (mesh.nodes[item.nodes[0]].locally_owned)
         for (const auto &part : support_forces(mesh, item, initial))
           resultant.add(n + prestress, mesh.nodes[part.node], part.forces, -1);
     return resultant.on_all_ranks(bodies);

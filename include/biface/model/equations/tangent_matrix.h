@@ -32,10 +32,12 @@ namespace Biface
     /** Mesh and constraints are kept by reference; the inhomogeneities of the
      * constraints may change.
      * @param couplings between nodes that share no cell, for which the matrix
-     * has entries. */
+     * has entries.
+     * @param elements others than those of the mesh that will be added. */
     TangentMatrix(const ShellMesh                         &mesh,
                   const dealii::AffineConstraints<double> &constraints,
-                  const std::vector<ForceTerm::Coupling>  &couplings = {});
+                  const std::vector<ForceTerm::Coupling>  &couplings = {},
+                  const std::vector<const Cell *>         &elements  = {});
 
     /** Not copied: it points into the values of its matrix. */
     TangentMatrix(const TangentMatrix &) = delete;

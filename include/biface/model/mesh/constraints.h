@@ -28,19 +28,21 @@ namespace Biface
   };
 
 
-  /** An equation of a support for the displacements of the faces at a node. */
+  /** An equation of a support for the displacements of the faces at a node, or
+   * at the nodes of a joint. */
   struct SupportEquation
   {
-    /** The coefficients of the displacements of all faces, those of @f$v_1@f$
-     * from the inner to the outer face, then those of @f$v_2@f$ and @f$v_3@f$.
-     * The forces of the support on the faces are a multiple of the
-     * coefficients. */
+    /** The coefficients of the displacements of all faces, node by node: those
+     * of @f$v_1@f$ from the inner to the outer face, then those of @f$v_2@f$
+     * and @f$v_3@f$. The forces of the support on the faces are a multiple of
+     * the coefficients. */
     std::valarray<double> coefficients;
     /** The parts of the right-hand side, which is their sum, each multiplied by
      * one of Loads::factors. */
     std::valarray<double> values;
-    /** The support: a position in SupportedNodes::bodies; invalid if a layer
-     * does not exist at the node, whose faces stay together. */
+    /** The support: a position in SupportedNodes::bodies; invalid if the
+     * equation connects faces with each other: those of a layer that does not
+     * exist, or at a joint. */
     unsigned int body;
     /** The fraction of the forces of the support on the node itself; the rest
      * acts on the partner of a node on a cyclic edge. */
@@ -53,10 +55,10 @@ namespace Biface
   {
     struct Item
     {
-      /** The position of the node in MeshNodes::nodes. */
-      unsigned int node;
+      /** The position of the node in MeshNodes::nodes; several at a joint. */
+      std::vector<unsigned int> nodes;
       /** The node with the same displacements on the second of two cyclic
-       * edges, while @p node is on the first; invalid if there is none. */
+       * edges, while the node is on the first; invalid if there is none. */
       unsigned int partner;
       /** The linearly independent equations. If several supports hold a
        * displacement, the equation is that of the first one, in the order of
@@ -85,7 +87,8 @@ namespace Biface
    * Throws InputError if they contradict each other, or if a supported point
    * does not exist.
    *
-   * Where a layer does not exist, its half difference is zero.
+   * Where a layer does not exist, its half difference is zero. The nodes of a
+   * joint, see MeshNodes::joints, are eliminated together, too.
    *
    * @param constraints the supports with zero prescribed displacements, closed.
    * @param prescribed the prescribed displacements that are not zero.

@@ -164,6 +164,12 @@ namespace Biface
      * of a mesh from a file. */
     std::vector<NamedEdge> edges;
 
+    /** The nodes of this rank at one place that belong to different parts of a
+     * mesh from a file, by their positions in @p nodes, see
+     * QuadrilateralMesh::joints. Their points on the reference surface have the
+     * same displacement, and their sections remain plane. */
+    std::vector<std::vector<unsigned int>> joints;
+
     /** A node where the first direction of the material, see
      * MeshFile::direction, is normal to the surface, so that v_1 and v_2 have
      * no meaning; the same on all ranks. */
@@ -182,7 +188,7 @@ namespace Biface
               const std::string &name) const;
 
     /** The nodes of this rank: those of its cells and of their neighbors, also
-     * across cyclic edges. */
+     * across cyclic edges, and all nodes of their joints. */
     std::vector<Node> nodes;
 
     /** The unknowns of the nodes of this rank. */

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <functional>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -21,6 +22,7 @@
 #include <biface/element/element_geometry.h>
 #include <biface/element/mixed_element.h>
 #include <biface/model/mesh/constraints.h>
+#include <biface/model/mesh/fold_side.h>
 #include <biface/model/mesh/mesh_nodes.h>
 
 #include <boost/iterator/permutation_iterator.hpp>
@@ -274,6 +276,21 @@ namespace Biface
     /** The sides of locally owned cells on the edges. */
     std::vector<BoundarySegment> boundary;
 
+    /** The sides at which parts of the shell meet at an angle or a hinge, each
+     * on one rank. */
+    std::vector<FoldSide> folds;
+
+    /** Whether there are folds on any rank. */
+    bool
+    has_folds() const
+    {
+      return folds_on_any_rank;
+    }
+
+    /** The corners that folds enclose, each on one rank: the positions of the
+     * nodes of their parts, see QuadrilateralMesh::corners. */
+    std::vector<std::vector<unsigned int>> corners;
+
     dealii::IndexSet locally_owned;
 
     /** The displacements of the stress-free shell from the surface, readable
@@ -470,6 +487,23 @@ namespace Biface
                       const StripsOfGroups            &plies,
                       const std::vector<unsigned int> &set_of_cells);
 
+    /** Add the nodes of other ranks at the joints of this one.
+     * @param make_node makes a node with a number without its unknowns.
+     * @param [in,out] node_of_number the positions of the nodes of this rank by
+     * their numbers. */
+    void
+    add_nodes_of_joints(
+      const QuadrilateralMesh                       &mesh,
+      const std::function<Node(const unsigned int)> &make_node,
+      std::map<unsigned int, unsigned int>          &node_of_number);
+
+    /** The displacements of the nodes of joints by given deviations along their
+     * normals: in space, that of each joint fits them all best.
+     * @param deviations by the position of the node. */
+    void
+    set_deviation_of_joints(const std::vector<double> &deviations,
+                            LA::Vector                &V) const;
+
     /** The largest curvature at a locally owned node, without its sign. Unit:
      * 1/length. */
     double
@@ -546,7 +580,8 @@ namespace Biface
     std::shared_ptr<const Layup> layup;
     unsigned int                 n_all_layers;
     /** The number of strips of the whole wall. */
-    unsigned int n_walls = 1;
+    unsigned int n_walls           = 1;
+    bool         folds_on_any_rank = false;
     /** The sets of groups of the strips of a mesh from a file, see
      * find_groups(). */
     std::vector<std::set<std::string>> groups_of_strips;
