@@ -30,8 +30,11 @@ namespace Biface
 
     out << "biface " << version() << ", " << n_ranks
         << (n_ranks == 1 ? " rank" : " ranks") << ", " << mesh.n_cells()
-        << " cells, " << mesh.n_unknowns() << " unknowns\n"
-        << "BLAS: " << blas << '\n';
+        << " cells, " << mesh.n_unknowns() << " unknowns\n";
+    if (mesh.n_folds() > 0)
+      out << "Folds: " << mesh.n_folds()
+          << " sides where parts of the shell meet at an angle or at a joint\n";
+    out << "BLAS: " << blas << '\n';
     if (blas.find("openblas") == std::string::npos &&
         blas.find("mkl") == std::string::npos)
       out << "  (not OpenBLAS: linear solves may take several times longer; "

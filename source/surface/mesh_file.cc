@@ -74,9 +74,10 @@ namespace Biface
                "lines, 'lines: rigid', 'lines: hinge' or 'lines: STIFFNESS', "
                "separated by commas: 'rigid' keeps the angles between the "
                "parts, as everywhere else at folds; 'hinge' exerts no moment, "
-               "and is also possible where the surface is smooth; a number is "
-               "the moment per length of the line and per angle in radians, a "
-               "force.",
+               "and is also possible where two cells go on smoothly; a number "
+               "is the moment per length of the line and per angle in radians, "
+               "a force. Where three cells or more meet, those that go on "
+               "smoothly remain one part.",
                Unit("force"));
   }
 

@@ -255,29 +255,29 @@ namespace Biface
                                    mesh.cell_in_words(of[0].cell) +
                                      " meets no other one there");
                 // the stiffness acts on the angle between two directors
-                const bool elastic = joint.stiffness > 0;
-                for (unsigned int i = 0; i < of.size() && elastic; ++i)
-                  for (unsigned int j = 0; j < i; ++j)
-                    if (angle_between(of[j], of[i]) <= fold_angle)
-                      throw InputError(
-                        "Surface/Mesh/Joints",
-                        joint.text,
-                        "there the surface goes on smoothly beyond " +
-                          mesh.cell_in_words(of[j].cell) +
-                          ", where only 'hinge' is possible");
+                if (joint.stiffness > 0 && of.size() == 2 &&
+                    angle_between(of[0], of[1]) <= fold_angle)
+                  throw InputError("Surface/Mesh/Joints",
+                                   joint.text,
+                                   "there the surface goes on smoothly beyond " +
+                                     mesh.cell_in_words(of[0].cell) +
+                                     ", where only 'hinge' is possible");
                 joint_of_side[side] = joint.stiffness;
               }
           }
       }
 
-      /** Whether two cells at a side have their directors in common. */
+      /** Whether two cells at a side have their directors in common. A hinge
+       * separates two cells that go on smoothly, but of more cells only those
+       * that do not. */
       bool
       is_smooth(const Side     &side,
                 const CellSide &one,
                 const CellSide &two) const
       {
-        return joint_of_side.count(side) == 0 &&
-               angle_between(one, two) <= fold_angle;
+        return angle_between(one, two) <= fold_angle &&
+               (cells_of_side.at(side).size() > 2 ||
+                joint_of_side.count(side) == 0);
       }
 
       /** Refuse cells that lie on each other on the same side of a line. */

@@ -21,7 +21,7 @@ namespace Biface
     terms.push_back(
       std::make_unique<DeadForces>(mesh, dead_loads, pressure.area));
     terms.push_back(std::make_unique<PressureForces>(mesh, pressure));
-    if (mesh.has_folds())
+    if (mesh.n_folds() > 0)
       {
         terms.push_back(std::make_unique<Joints>(mesh));
         terms.push_back(std::make_unique<PressureAtFolds>(mesh, pressure));

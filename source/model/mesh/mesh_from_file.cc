@@ -671,7 +671,7 @@ namespace Biface
     for (const auto &set : adjacent)
       neighbors.emplace_back(set.begin(), set.end());
     add_nodes_of_joints(mesh, make_node, node_of_number);
-    folds_on_any_rank = !mesh.folds.empty();
+    n_all_folds = mesh.folds.size();
 
     for (const QuadrilateralMesh::Fold &fold : mesh.folds)
       {

@@ -280,11 +280,11 @@ namespace Biface
      * on one rank. */
     std::vector<FoldSide> folds;
 
-    /** Whether there are folds on any rank. */
-    bool
-    has_folds() const
+    /** The number of sides at folds on all ranks. */
+    unsigned int
+    n_folds() const
     {
-      return folds_on_any_rank;
+      return n_all_folds;
     }
 
     /** The corners that folds enclose, each on one rank: the positions of the
@@ -580,8 +580,8 @@ namespace Biface
     std::shared_ptr<const Layup> layup;
     unsigned int                 n_all_layers;
     /** The number of strips of the whole wall. */
-    unsigned int n_walls           = 1;
-    bool         folds_on_any_rank = false;
+    unsigned int n_walls     = 1;
+    unsigned int n_all_folds = 0;
     /** The sets of groups of the strips of a mesh from a file, see
      * find_groups(). */
     std::vector<std::set<std::string>> groups_of_strips;
