@@ -111,7 +111,7 @@ namespace Biface
        }},
       {{"strain_energy"},
        [](const Step &step) -> Values {
-         return {step.equations.internal_forces().strain_energy(step.state)};
+         return {step.equations.strain_energy(step.state)};
        }},
       {{"load_work",
         "foundation_work",

@@ -16,7 +16,6 @@
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
-#include <biface/surface/mesh_file.h>
 #include <biface/surface/mesh_text.h>
 #include <biface/surface/quadrilateral_mesh.h>
 
@@ -257,11 +256,12 @@ namespace Biface
                 // the stiffness acts on the angle between two directors
                 if (joint.stiffness > 0 && of.size() == 2 &&
                     angle_between(of[0], of[1]) <= fold_angle)
-                  throw InputError("Surface/Mesh/Joints",
-                                   joint.text,
-                                   "there the surface goes on smoothly beyond " +
-                                     mesh.cell_in_words(of[0].cell) +
-                                     ", where only 'hinge' is possible");
+                  throw InputError(
+                    "Surface/Mesh/Joints",
+                    joint.text,
+                    "there the surface goes on smoothly beyond " +
+                      mesh.cell_in_words(of[0].cell) +
+                      ", where only 'hinge' is possible");
                 joint_of_side[side] = joint.stiffness;
               }
           }
@@ -550,13 +550,12 @@ namespace Biface
                   }
                 const Side key   = QuadrilateralMesh::without_direction(own);
                 const auto named = groups_of_side.find(side);
-                if (named != groups_of_side.end())
+                // supports and loads act on the first part
+                if (named != groups_of_side.end() && fold.cells.empty())
                   for (const unsigned int g : named->second)
                     {
                       nodes_of_groups[g].insert(own.begin(), own.end());
-                      // loads act on the first part
-                      if (fold.cells.empty())
-                        mesh.groups[g].sides.push_back(key);
+                      mesh.groups[g].sides.push_back(key);
                     }
                 fold.cells.push_back({at.cell, own});
                 several =
@@ -579,17 +578,7 @@ namespace Biface
                                nodes_of_groups[g].end());
             std::sort(group.sides.begin(), group.sides.end());
           }
-        // all copies of the nodes of a set of nodes, but of a single one
-        for (auto &[group, nodes] : sets_of_nodes)
-          {
-            std::set<unsigned int> all;
-            for (const unsigned int n : nodes)
-              if (nodes.size() == 1)
-                all.insert(n);
-              else
-                all.insert(copies[n].begin(), copies[n].end());
-            nodes = all;
-          }
+        copies_of_nodes = copies;
 
         for (unsigned int c = 0; c < mesh.cells.size(); ++c)
           for (unsigned int v = 0; v < 4; ++v)
@@ -776,18 +765,32 @@ namespace Biface
           }
       }
 
-      /** Make a group of a set of nodes, with the free sides between them. */
+      /** Make a group of a set of nodes, with the free sides between them and
+       * the nodes of their parts; elsewhere with the node of the first part. */
       void
       add_free_sides(Group &group, const std::set<unsigned int> &set_of_nodes)
       {
-        group.nodes.assign(set_of_nodes.begin(), set_of_nodes.end());
+        std::map<unsigned int, unsigned int> original;
+        for (const unsigned int node : set_of_nodes)
+          for (const unsigned int copy : copies_of_nodes[node])
+            original[copy] = node;
+        std::set<unsigned int> all, on_sides;
         for (const CellSide &free_side : mesh.free_sides)
           {
             const Side side = mesh.side(free_side.cell, free_side.face);
-            if (set_of_nodes.count(side[0]) > 0 &&
-                set_of_nodes.count(side[1]) > 0)
-              group.sides.push_back(QuadrilateralMesh::without_direction(side));
+            if (original.count(side[0]) == 0 || original.count(side[1]) == 0)
+              continue;
+            group.sides.push_back(QuadrilateralMesh::without_direction(side));
+            for (const unsigned int copy : side)
+              {
+                all.insert(copy);
+                on_sides.insert(original.at(copy));
+              }
           }
+        for (const unsigned int node : set_of_nodes)
+          if (on_sides.count(node) == 0)
+            all.insert(node);
+        group.nodes.assign(all.begin(), all.end());
       }
 
       std::string
@@ -821,6 +824,8 @@ namespace Biface
       /** The stiffness of joints that the user has chosen, by the nodes of the
        * file. */
       std::map<Side, double> joint_of_side;
+      /** The nodes of each part at each node of the file, itself first. */
+      std::vector<std::vector<unsigned int>> copies_of_nodes;
       /** The nodes of sets of nodes, by the group. */
       std::map<unsigned int, std::set<unsigned int>> sets_of_nodes;
       /** The number of each node of the file in the mesh; invalid for those of

@@ -12,21 +12,12 @@
 #include <vector>
 
 #include <biface/input/formula.h>
+#include <biface/surface/joint_of_group.h>
 
 namespace Biface
 {
   class EntryDeclarations;
   struct QuadrilateralMesh;
-
-  /** How the parts of the surface are joined at the sides of a group. */
-  struct JointOfGroup
-  {
-    /** The text of the user. */
-    std::string text;
-    std::string group;
-    /** See QuadrilateralMesh::Fold::stiffness. */
-    double stiffness;
-  };
 
   /** Read a comma-separated list of joints, 'lines: rigid', 'lines: hinge' or
    * 'lines: STIFFNESS'. Throws InputError if it is malformed or names a group

@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
+#include <biface/surface/joint_of_group.h>
+
 namespace Biface
 {
-  struct JointOfGroup;
-
   /**
    * A mesh of quadrilaterals in space whose parts have names, from a file of
    * another program: the positions of its nodes, its cells, and its groups.

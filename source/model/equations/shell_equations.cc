@@ -49,6 +49,17 @@ namespace Biface
   }
 
 
+  double
+  ShellEquations::strain_energy(const State &state) const
+  {
+    double of_terms = 0;
+    for (const auto &term : other_terms)
+      of_terms += term->strain_energy(state);
+    return internal.strain_energy(state) +
+           Utilities::MPI::sum(of_terms, mesh.communicator);
+  }
+
+
   namespace
   {
     /** In linear strain theory, the loads that turn with the shell, and the

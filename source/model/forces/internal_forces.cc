@@ -7,6 +7,7 @@
 
 #include <biface/element/nonlinear_plies.h>
 #include <biface/element/quadrilateral.h>
+#include <biface/element/recovered_strains.h>
 #include <biface/input/formula.h>
 #include <biface/laminate/layup.h>
 #include <biface/model/forces/internal_forces.h>
@@ -491,8 +492,20 @@ namespace Biface
   InternalForces::strains_at_vertices(const State       &state,
                                       const unsigned int c) const
   {
-    return nonlinear_plies(mesh.cells[c])
-      .strains_at_vertices(total_strains(state, c), history(state, c));
+    const Cell           &cell  = mesh.cells[c];
+    const NonlinearPlies &plies = nonlinear_plies(cell);
+    const Modes::Vector   E     = total_strains(state, c);
+    auto result = plies.strains_at_vertices(E, history(state, c));
+    // nonlinear laws have the strains of the energy
+    if (const CellTangents *tangents = cell.geometry.tangents();
+        tangents && plies.all_linear())
+      {
+        const auto recovered = recovered_strains(
+          *tangents, E, mesh.strips[cell.strip].laminate.stiffness());
+        for (unsigned int v = 0; v < 4; ++v)
+          result[v].E = recovered[v];
+      }
+    return result;
   }
 
 

@@ -10,6 +10,7 @@
 #include <biface/model/forces/joints.h>
 #include <biface/model/mesh/fold_side.h>
 #include <biface/model/mesh/strip.h>
+#include <biface/model/state/state.h>
 
 namespace Biface
 {
@@ -64,7 +65,7 @@ namespace Biface
 
     /** The half difference of the faces of the undeformed shell at a vertex. */
     Tensor<1, 3>
-    undeformed(const Cell &element, const unsigned int vertex)
+    half_difference(const Cell &element, const unsigned int vertex)
     {
       const ElementGeometry::Vertex &at = element.geometry.vertices[vertex];
       Tensor<1, 3>                   normal;
@@ -74,7 +75,7 @@ namespace Biface
   } // namespace
 
 
-  Joints::Joints(const ShellMesh &mesh)
+  Joints::Joints(const ShellMesh &mesh) : mesh(mesh)
   {
     agree_on_errors(mesh.communicator, [&]() {
       for (const FoldSide &fold : mesh.folds)
@@ -133,6 +134,23 @@ namespace Biface
   }
 
 
+  Joints::Directors::Directors(const Pair                      &pair,
+                               const unsigned int               end,
+                               const MixedElement::NodalVector &V)
+  {
+    for (unsigned int k = 0; k < 2; ++k)
+      {
+        const unsigned int vertex = end + 2 * k;
+        axes[k]                   = pair.element.geometry.vertices[vertex].axes;
+        undeformed[k]             = half_difference(pair.element, vertex);
+        for (unsigned int i = 0; i < 3; ++i)
+          change[k][i] =
+            V[MixedElement::dof(vertex, i, MixedElement::half_difference)];
+        change[k] = axes[k] * change[k];
+      }
+  }
+
+
   void
   Joints::add(const CellState &at, CellForces &forces) const
   {
@@ -141,32 +159,25 @@ namespace Biface
       {
         if (pair.stiffness[end] == 0)
           continue;
-        const std::array<unsigned int, 2> vertex{{end, 2 + end}};
         const auto dof = [&](const unsigned int k, const unsigned int i) {
-          return MixedElement::dof(vertex[k], i, MixedElement::half_difference);
+          return MixedElement::dof(
+            end + 2 * k, i, MixedElement::half_difference);
         };
-        std::array<Tensor<1, 3>, 2> W, change;
-        std::array<Tensor<2, 3>, 2> axes;
-        for (unsigned int k = 0; k < 2; ++k)
-          {
-            axes[k] = pair.element.geometry.vertices[vertex[k]].axes;
-            W[k]    = undeformed(pair.element, vertex[k]);
-            for (unsigned int i = 0; i < 3; ++i)
-              change[k][i] = at.V[dof(k, i)];
-            change[k] = axes[k] * change[k];
-          }
-        const JointAngle joint(W, change);
+        const Directors  directors(pair, end, at.V);
+        const JointAngle joint(directors.undeformed, directors.change);
         const double     moment = pair.stiffness[end] * joint.angle;
         for (unsigned int k = 0; k < 2; ++k)
           {
-            const Tensor<1, 3> own = joint.gradient[k] * axes[k];
+            const Tensor<1, 3> own = joint.gradient[k] * directors.axes[k];
             forces.square += (moment * own).norm_square();
             for (unsigned int i = 0; i < 3; ++i)
               forces.force[dof(k, i)] -= moment * own[i];
             for (unsigned int l = 0; forces.with_tangent && l < 2; ++l)
               {
-                const Tensor<1, 3> other = joint.gradient[l] * axes[l];
-                const Tensor<2, 3> turn  = transpose(axes[k]) * axes[l];
+                const Tensor<1, 3> other =
+                  joint.gradient[l] * directors.axes[l];
+                const Tensor<2, 3> turn =
+                  transpose(directors.axes[k]) * directors.axes[l];
                 for (unsigned int i = 0; i < 3; ++i)
                   for (unsigned int j = 0; j < 3; ++j)
                     forces.tangent[dof(k, i)][dof(l, j)] +=
@@ -175,5 +186,42 @@ namespace Biface
               }
           }
       }
+  }
+
+
+  double
+  Joints::strain_energy(const State &state) const
+  {
+    double energy = 0;
+    for (const Pair &pair : pairs)
+      {
+        const auto V = mesh.cell_values(state.displacement, pair.element);
+        const auto V_0 =
+          (state.linearization_point
+             ? mesh.cell_values(state.linearization_point->displacement,
+                                pair.element)
+             : V);
+        for (unsigned int end = 0; end < 2; ++end)
+          {
+            if (pair.stiffness[end] == 0)
+              continue;
+            const Directors  at(pair, end, V_0), change(pair, end, V - V_0);
+            const JointAngle joint(at.undeformed, at.change);
+            // to second order about the state of the linearization, whose
+            // derivative are the linearized forces
+            double first = 0, second = 0;
+            for (unsigned int k = 0; k < 2; ++k)
+              {
+                first += joint.gradient[k] * change.change[k];
+                for (unsigned int l = 0; l < 2; ++l)
+                  second += joint.curvature[k][l] *
+                            (change.change[k] * change.change[l]);
+              }
+            energy += pair.stiffness[end] / 2 *
+                      ((joint.angle + first) * (joint.angle + first) +
+                       joint.angle * second);
+          }
+      }
+    return energy;
   }
 } // namespace Biface

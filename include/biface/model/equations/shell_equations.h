@@ -35,6 +35,11 @@ namespace Biface
       return internal;
     }
 
+    /** The strain energy of the shell on all ranks, with that of its joints,
+     * see InternalForces::strain_energy(). Unit: force times length. */
+    double
+    strain_energy(const State &state) const;
+
     void
     assemble(const State &state, const Loads &loads) override;
 

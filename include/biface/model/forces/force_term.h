@@ -221,6 +221,15 @@ namespace Biface
                         std::vector<DependentLoads> & /*dependent*/) const
     {}
 
+    /** The energy on this rank of forces that are a part of the shell, beside
+     * that of its cells, see InternalForces::strain_energy(). Unit: force times
+     * length. */
+    virtual double
+    strain_energy(const State & /*state*/) const
+    {
+      return 0;
+    }
+
     /** The kinds of bodies that exert the forces. */
     enum class Source
     {

@@ -58,8 +58,8 @@ namespace Biface
   class Joints : public ForceTerm
   {
   public:
-    /** Throws InputError on all ranks if the directors of two parts that are
-     * joined are nearly parallel at a node. */
+    /** The mesh is kept by reference. Throws InputError on all ranks if the
+     * directors of two parts that are joined are nearly parallel at a node. */
     Joints(const ShellMesh &mesh);
 
     std::vector<const Cell *>
@@ -67,6 +67,9 @@ namespace Biface
 
     void
     add(const CellState &at, CellForces &forces) const override;
+
+    double
+    strain_energy(const State &state) const override;
 
     Source
     source() const override
@@ -84,6 +87,20 @@ namespace Biface
        * node. Unit: force times length. */
       std::array<double, 2> stiffness;
     };
+
+    /** The change of the directors of a pair at one end, in space, and the axes
+     * of their nodes. */
+    struct Directors
+    {
+      std::array<dealii::Tensor<1, 3>, 2> undeformed, change;
+      std::array<dealii::Tensor<2, 3>, 2> axes;
+
+      Directors(const Pair                      &pair,
+                const unsigned int               end,
+                const MixedElement::NodalVector &V);
+    };
+
+    const ShellMesh  &mesh;
     std::vector<Pair> pairs;
   };
 } // namespace Biface

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_surface_joint_of_group_h
+#define biface_surface_joint_of_group_h
+
+#include <string>
+
+namespace Biface
+{
+  /** How the parts of the surface are joined at the sides of a group. */
+  struct JointOfGroup
+  {
+    /** The text of the user. */
+    std::string text;
+    std::string group;
+    /** See QuadrilateralMesh::Fold::stiffness. */
+    double stiffness;
+  };
+} // namespace Biface
+
+#endif
