@@ -58,9 +58,14 @@ end
   `Physical Surface` or an `*ELSET`). Where groups meet, their walls share the
   displacements of the director, as where a ply ends on other shells, and contact sees the mean of their faces. Plies of all groups
   stand in one list, by which `Layers` and `Initial ply stresses` count them.
-- **Normals** are the means of the cells around a node. Cells that meet at more than `Fold angle`, 20 degrees, are
-  refused: folds and joints of several shells are not possible. On a coarse mesh of a smooth surface the angle may be larger.
-  Edges with `symmetry x`, `symmetry y` or `symmetry z` keep their normals in the plane of symmetry.
+- **Normals** are the means of the cells around a node. Edges with `symmetry x`, `symmetry y` or `symmetry z` keep
+  their normals in the plane of symmetry.
+- **Folds**: cells that meet at more than `Fold angle`, 20 degrees, belong to different parts of the shell, which are
+  joined rigidly; the run says how many such sides there are. On a coarse mesh of a smooth surface the angle should be larger. Three cells or more
+  may meet at a side: those that go on smoothly remain one part. `Joints = lid: hinge, seam: 2.5` releases the sides of a
+  `Physical Curve`, or of the nodes of an `*NSET`, or gives them a stiffness: the moment per length and per angle in
+  radians. Parts that meet only at sides of three cells or more have their own orientations. See
+  [theory.md](theory.md#folds-and-joints).
 - **Elements** are those of [Interpolation = Cartesian](theory.md#cells-of-any-shape) with `Strain sampling = means`,
   whatever these entries say.
 
@@ -91,6 +96,22 @@ edges along them; on *graded* ones opposite edges are divided 1 : 2 : … : n in
 Large displacements of the hemisphere at P = 400, in one step; the last column is the number of iterations:
 
 {nonlinear}
+
+## Folds
+
+A strip of two legs of the length L = 6 that meet at a right angle, clamped at one end, with n cells on each leg: its displacement
+under a force at the other end over that of a beam; and the
+distance from the clamped end that a moment leaves which bends each leg by 90 degrees, so that both ends meet:
+
+{folded_strip}
+
+The last is the error of the chords, which a straight strip has as well. A square tube of length 10, side 1 and thickness 0.02 in torsion turns by {torsion} of Bredt's
+formula, with 4 × 40 cells on each side.
+
+NAFEMS LE5, a cantilever of Z section in torsion: the axial stress at point A, -108 MPa, and the rotation of the end,
+0.0306 without transverse shear (Vlasov):
+
+{z_section}
 
 ## A hole in an orthotropic plate
 
@@ -329,6 +350,119 @@ def nonlinear_table(runner):
     return table(["Mesh", "biface", "Published (Sze)", "MITC4", "Iterations"], rows)
 
 
+def joined(patches, lines, points):
+    """One mesh of patches (surface, n, m), with lines and points by predicates and
+    positions."""
+    numbers, nodes, cells = {}, [], []
+    for surface, n, m in patches:
+        part = mapped(surface, n, m, "regular")
+        own = []
+        for x in part.nodes:
+            number = numbers.setdefault(tuple(np.round(x, 9) + 0.0), len(nodes))
+            if number == len(nodes):
+                nodes.append(x)
+            own.append(number)
+        cells += [tuple(own[node] for node in cell) for cell in part.cells]
+    nodes = np.array(nodes)
+    sides = {tuple(sorted((cell[k], cell[k - 1]))) for cell in cells for k in range(4)}
+    return Mesh(nodes, cells,
+                {name: sorted(side for side in sides if all(on_line(nodes[i]) for i in side))
+                 for name, on_line in lines.items()},
+                {name: int(np.argmin(np.linalg.norm(nodes - np.array(x), axis=1)))
+                 for name, x in points.items()})
+
+
+def run_joined(runner, name, mesh, young, poisson, thickness, entries):
+    path = runner.scratch / f"{name}.msh"
+    mesh.write(path)
+    return biface.run(
+        runner.scratch / "base.prm",
+        {"Surface/Mesh/File": str(path.resolve()), "Surface/Mesh/Fold angle": 20,
+         "Material m/E": young, "Material m/nu": poisson,
+         "Laminate/Plies": f"m: {thickness} @ 0", "Output/Write VTU": False, **entries},
+        runner.scratch / name, program=runner.program)
+
+
+def at(axis, value):
+    return lambda x: abs(x[axis] - value) < 1e-9
+
+
+def folded_strip_table(runner):
+    length, young = 6, 1000
+    rows = []
+    for n in (8, 16, 32, 64):
+        mesh = joined([(lambda u, v: (length * u, v, 0 * u), n, 1),
+                       (lambda u, v: (length + 0 * u, v, length * u), n, 1)],
+                      {"clamp": at(0, 0), "tip": at(2, length)}, {"T": (length, 0, length)})
+        row = [str(n)]
+        for thickness in (0.1, 0.5):
+            bending = young * thickness**3 / 12
+            results = run_joined(runner, f"strip_{n}_{thickness}", mesh, young, 0, thickness,
+                                 {"Supports/Edge supports": "clamp: fixed",
+                                  "Loads/Edge forces": "tip: 1e-6 0 0"})
+            exact = 1e-6 * (4 / 3 * length**3 / bending
+                            + length / (5 / 6 * young / 2 * thickness))
+            row.append(f"{displacement(results, 'T', 'u_x') / exact:.4f}")
+        moment = -young * 0.1**3 / 12 * np.pi / 2 / length
+        results = run_joined(runner, f"rolled_{n}", mesh, young, 0, 0.1,
+                             {"Supports/Edge supports": "clamp: fixed",
+                              "Loads/Edge moments": f"tip: {moment!r} follower",
+                              "Stage 1/Strain theory": "nonlinear", "Stage 1/Steps": 4})
+        row.append(f"{length + displacement(results, 'T', 'u_x'):.3f}, "
+                   f"{length + displacement(results, 'T', 'u_z'):.3f}")
+        row.append(str(int(results.history["iterations"].sum())))
+        rows.append(row)
+    return table(["n", "h/L = 1/60", "h/L = 1/12", "rolled up, h/L = 1/60: x, z",
+                  "iterations in 4 steps"], rows)
+
+
+def torsion_of_tube(runner):
+    corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
+
+    def side(k):
+        (x, y), (to_x, to_y) = corners[k], corners[(k + 1) % 4]
+        return lambda u, v: (x + (to_x - x) * u, y + (to_y - y) * u, 10 * v)
+
+    def end(k):
+        axis = 1 if k % 2 == 0 else 0
+        return lambda x: abs(x[2] - 10) < 1e-9 and abs(x[axis] - corners[k][axis]) < 1e-9
+
+    mesh = joined([(side(k), 4, 40) for k in range(4)],
+                  {"root": at(2, 0), **{f"end{k}": end(k) for k in range(4)}},
+                  {"A": (0, 0, 10), "C": (1, 1, 10), "R": (0, 0, 0), "S": (1, 0, 0),
+                   "Q": (1, 1, 0)})
+    flow = 1e-3
+    results = run_joined(
+        runner, "tube", mesh, 1000, 0, 0.02,
+        {"Supports/Edge supports": "root: x middle; y middle",
+         "Supports/Point supports": "R: z middle, S: z middle, Q: z middle",
+         "Loads/Edge forces": f"end0: {flow} 0 0, end1: 0 {flow} 0, end2: -{flow} 0 0, "
+                              f"end3: 0 -{flow} 0"})
+    turn = sum(sign * (displacement(results, "C", component)
+                       - displacement(results, "A", component))
+               for sign, component in ((-1, "u_x"), (1, "u_y"))) / 2
+    return f"{turn / (2 * flow * 10 / (500 * 0.02)):.4f}"
+
+
+def z_section_table(runner):
+    rows = []
+    for k in (1, 2, 4, 8):
+        mesh = joined([(lambda u, v: (10 * u, 0 * u, -1 + 2 * v), 8 * k, 2 * k),
+                       (lambda u, v: (10 * u, v, 1 + 0 * u), 8 * k, k),
+                       (lambda u, v: (10 * u, v - 1, -1 + 0 * u), 8 * k, k)],
+                      {"root": at(0, 0),
+                       "top": lambda x: at(0, 10)(x) and at(2, 1)(x),
+                       "bottom": lambda x: at(0, 10)(x) and at(2, -1)(x)},
+                      {"A": (2.5, 1, 1), "E": (10, 0, 1), "G": (10, 0, -1)})
+        results = run_joined(runner, f"z_section_{k}", mesh, 210e9, 0.3, 0.1,
+                             {"Supports/Edge supports": "root: fixed",
+                              "Loads/Edge forces": "top: 0 6e5 0, bottom: 0 -6e5 0"})
+        stress = results.plies().where(name="A", fraction=0.5)["s_11"][0]
+        turn = (displacement(results, "E", "u_y") - displacement(results, "G", "u_y")) / 2
+        rows.append([f"{8 * k} × ({k}, {2 * k}, {k})", f"{stress / 1e6:.1f}", f"{turn:.4f}"])
+    return table(["cells", "stress at A, MPa", "rotation"], rows)
+
+
 def hole_table(arguments):
     results = biface.run(Path(__file__).resolve().parents[2] / "prm/plate_with_hole.prm",
                          {"Output/Write VTU": False}, arguments.scratch / "hole",
@@ -345,7 +479,8 @@ def main():
     runner = Runner(arguments)
     (arguments.output / "any_mesh.md").write_text(PAGE.format(
         linear=linear_table(runner), nonlinear=nonlinear_table(runner),
-        hole=hole_table(arguments)))
+        folded_strip=folded_strip_table(runner), torsion=torsion_of_tube(runner),
+        z_section=z_section_table(runner), hole=hole_table(arguments)))
 
 
 if __name__ == "__main__":

@@ -633,49 +633,90 @@ namespace Biface
                     }
                   const Side &one = raw_fold.cells[i].side,
                              &two = raw_fold.cells[next].side;
+                  unsigned int &beyond =
+                    beyond_fold[face][fold.cells[i].cell][fold.cells[i].face];
+                  beyond = numbers::invalid_unsigned_int;
                   // nodes at the same places, in the opposite direction
-                  const bool faces_it =
-                    (mesh.nodes[one[0]] == mesh.nodes[two[1]]);
-                  if (i < next && faces_it && one != Side{{two[1], two[0]}})
+                  if (mesh.nodes[one[0]] != mesh.nodes[two[1]])
+                    continue;
+                  beyond = fold.cells[next].cell;
+                  if (i < next && one != Side{{two[1], two[0]}})
                     fold.wedges[face].push_back({{i, next}});
                 }
             mesh.folds.push_back(fold);
           }
       }
 
-      /** Find the corners around which folds of two cells run. */
+      /** The number of the side of a cell that begins, or ends, at a node. */
+      unsigned int
+      side_at(const unsigned int cell,
+              const unsigned int node,
+              const unsigned int end) const
+      {
+        unsigned int f = 0;
+        while (mesh.side(cell, f)[end] != node)
+          ++f;
+        return f;
+      }
+
+      /** Walk counterclockwise around a node, over the faces that bound one
+       * wedge after the other.
+       * @return the nodes of the parts; empty where the walk comes to an end.
+       */
+      std::vector<unsigned int>
+      walk_around(const unsigned int first_cell,
+                  const unsigned int first_node,
+                  const unsigned int face) const
+      {
+        std::vector<unsigned int> parts{first_node};
+        unsigned int              cell = first_cell, node = first_node;
+        do
+          {
+            const unsigned int f    = side_at(cell, node, 1);
+            const auto         fold = beyond_fold[face].find(cell);
+            const auto        &of   = cells_of_side.at(key_of_side(cell, f));
+            unsigned int       next = numbers::invalid_unsigned_int;
+            if (fold != beyond_fold[face].end() && fold->second.count(f) > 0)
+              next = fold->second.at(f);
+            else if (of.size() == 2)
+              next = (of[0].cell == cell ? of[1].cell : of[0].cell);
+            if (next == numbers::invalid_unsigned_int)
+              return {};
+            // the node of its part at the same place
+            for (const unsigned int n : mesh.cells[next])
+              if (mesh.nodes[n] == mesh.nodes[first_node])
+                node = n;
+            cell = next;
+            if (node != parts.back())
+              parts.push_back(node);
+        } while (cell != first_cell);
+        if (parts.size() > 1 && parts.back() == first_node)
+          parts.pop_back();
+        return parts;
+      }
+
+      /** Find the corners that three parts or more enclose. */
       void
       find_corners()
       {
-        // the nodes after each one, counterclockwise about the outward normal
-        std::map<unsigned int, std::vector<unsigned int>> next;
-        for (const RawFold &fold : raw_folds)
-          {
-            const Side &one = fold.cells[0].side, &two = fold.cells[1].side;
-            for (const RawFold::Part &part : fold.cells)
-              if (fold.cells.size() > 2)
-                for (const unsigned int node : part.side)
-                  // no corner of this kind
-                  next[node].insert(next[node].end(), 2, node);
-            if (one[0] != two[1])
-              next[two[1]].push_back(one[0]);
-            if (one[1] != two[0])
-              next[one[1]].push_back(two[0]);
-          }
+        std::set<unsigned int> of_joints;
         for (const auto &joint : mesh.joints)
+          of_joints.insert(joint.begin(), joint.end());
+        for (unsigned int face = 0; face < 2; ++face)
           {
-            std::vector<unsigned int> around{joint[0]};
-            while (around.size() <= joint.size() &&
-                   next[around.back()].size() == 1)
-              around.push_back(next[around.back()][0]);
-            if (joint.size() >= 3 && around.size() == joint.size() + 1 &&
-                around.back() == joint[0])
-              {
-                around.pop_back();
-                if (std::set<unsigned int>(around.begin(), around.end())
-                      .size() == joint.size())
-                  mesh.corners.push_back(around);
-              }
+            std::set<std::set<unsigned int>> known;
+            for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+              for (const unsigned int n : mesh.cells[c])
+                {
+                  if (of_joints.count(n) == 0)
+                    continue;
+                  const auto                   parts = walk_around(c, n, face);
+                  const std::set<unsigned int> sorted(parts.begin(),
+                                                      parts.end());
+                  if (sorted.size() >= 3 && sorted.size() == parts.size() &&
+                      known.insert(sorted).second)
+                    mesh.corners[face].push_back(parts);
+                }
           }
       }
 
@@ -821,6 +862,12 @@ namespace Biface
       const std::vector<JointOfGroup> &joints;
       QuadrilateralMesh                mesh;
       std::vector<RawFold>             raw_folds;
+      /** By the face, the cell and the number of its side at a fold: the cell
+       * with which it bounds a wedge there, an invalid number if there is
+       * none. */
+      std::array<std::map<unsigned int, std::map<unsigned int, unsigned int>>,
+                 2>
+        beyond_fold;
       /** The stiffness of joints that the user has chosen, by the nodes of the
        * file. */
       std::map<Side, double> joint_of_side;

@@ -62,7 +62,7 @@ namespace
                         << mesh.cell_numbers[fold.cells[wedge[0]].cell] << '-'
                         << mesh.cell_numbers[fold.cells[wedge[1]].cell];
         std::cout << "; corners of";
-        for (const auto &corner : mesh.corners)
+        for (const auto &corner : mesh.corners[0])
           {
             // outward, if the nodes run counterclockwise
             Tensor<1, 3> outward;

@@ -89,9 +89,9 @@ namespace Biface
     /** The nodes at one place that belong to different parts. */
     std::vector<std::vector<unsigned int>> joints;
 
-    /** Corners that folds enclose: the nodes of the parts around, three at
-     * least, counterclockwise about the outward normal. */
-    std::vector<std::vector<unsigned int>> corners;
+    /** Corners that the inner, or outer, faces of three or more parts enclose:
+     * their nodes, counterclockwise about the outward normal. */
+    std::array<std::vector<std::vector<unsigned int>>, 2> corners;
 
     /** The center of a cell, the mean of its nodes. */
     dealii::Point<3>

@@ -28,7 +28,7 @@ namespace Biface
                   distribution,
                   {one.nodes[b], one.nodes[a], two.nodes[b], two.nodes[a]});
         }
-    for (const std::vector<unsigned int> &corner : mesh.corners)
+    for (const std::vector<unsigned int> &corner : mesh.corners[face])
       for (unsigned int k = 1; k + 1 < corner.size(); ++k)
         add_gap(mesh, distribution, {corner[0], corner[k], corner[k + 1]});
   }

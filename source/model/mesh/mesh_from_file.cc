@@ -52,8 +52,12 @@ namespace Biface
     normals_in_planes(const QuadrilateralMesh         &mesh,
                       const std::vector<EdgeSupport>  &supports,
                       const MeshNodes                 &nodes,
-                      const std::vector<unsigned int> &group_of_edge)
+                      const std::vector<unsigned int> &group_of_edge,
+                      const double                     fold_angle)
     {
+      // the cells on both sides of the plane turn by twice this angle
+      const double least =
+        std::cos((fold_angle / 2 + 1e-6) * numbers::PI / 180);
       std::vector<Tensor<1, 3>> normals = mesh.normals;
       const std::string         entry   = "Supports/Edge supports";
       for (const EdgeSupport &support : supports)
@@ -67,13 +71,12 @@ namespace Biface
               {
                 Tensor<1, 3> normal = normals[node];
                 normal[d]           = 0;
-                // half a cell turns the normal of a coarse mesh
-                if (!(normal.norm() > 0.7))
+                if (!(normal.norm() > least))
                   throw InputError(
                     entry,
                     support.text,
-                    "the shell must be normal to a plane of symmetry, but its "
-                    "normal at (" +
+                    "the shell must be normal to a plane of symmetry within "
+                    "half of 'Surface/Mesh/Fold angle', but its normal at (" +
                       vector_to_string(mesh.nodes[node]) +
                       ") is not in the plane");
                 normals[node] = normal / normal.norm();
@@ -493,8 +496,8 @@ namespace Biface
           edges.push_back({mesh.groups[g].name, {}});
           group_of_edge.push_back(g);
         }
-    const std::vector<Tensor<1, 3>> normals =
-      normals_in_planes(mesh, supports.named_edges, *this, group_of_edge);
+    const std::vector<Tensor<1, 3>> normals = normals_in_planes(
+      mesh, supports.named_edges, *this, group_of_edge, file.fold_angle);
     if (!(thickness() < size()))
       throw InputError(
         "the plies of 'Laminate/Plies' are " + number_to_string(thickness()) +
@@ -708,17 +711,17 @@ namespace Biface
           }
         folds.push_back(here);
       }
-    for (const std::vector<unsigned int> &corner : mesh.corners)
-      {
-        std::vector<unsigned int> here;
-        for (const unsigned int number : corner)
-          if (const auto node = node_of_number.find(number);
-              node != node_of_number.end())
-            here.push_back(node->second);
-        if (!here.empty() && nodes[here[0]].number == corner[0] &&
-            nodes[here[0]].locally_owned)
-          corners.push_back(here);
-      }
+    for (unsigned int face = 0; face < 2; ++face)
+      for (const std::vector<unsigned int> &corner : mesh.corners[face])
+        {
+          const auto first = node_of_number.find(corner[0]);
+          if (first == node_of_number.end() ||
+              !nodes[first->second].locally_owned)
+            continue;
+          corners[face].emplace_back();
+          for (const unsigned int number : corner)
+            corners[face].back().push_back(node_of_number.at(number));
+        }
     for (unsigned int i = 0; i < edges.size(); ++i)
       for (const unsigned int number : mesh.groups[group_of_edge[i]].nodes)
         {

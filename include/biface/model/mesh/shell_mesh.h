@@ -287,9 +287,9 @@ namespace Biface
       return n_all_folds;
     }
 
-    /** The corners that folds enclose, each on one rank: the positions of the
-     * nodes of their parts, see QuadrilateralMesh::corners. */
-    std::vector<std::vector<unsigned int>> corners;
+    /** The corners that inner, or outer, faces enclose, each on one rank: the
+     * positions of the nodes of their parts, see QuadrilateralMesh::corners. */
+    std::array<std::vector<std::vector<unsigned int>>, 2> corners;
 
     dealii::IndexSet locally_owned;
 
