@@ -46,7 +46,7 @@ end
   `Physical Point` is a named point, for supports, forces, probes and control. Other points are given by their
   positions, `Named points = tip: 0 0 12.5`; they must be nodes. In Gmsh, anything without a physical group is not
   saved as soon as there is one, so that the surfaces need a group, too. In an input file a `*NSET` of several nodes is an
-  edge, along the free sides between them, and one of a single node is a point; their names are in capitals. The lines that Gmsh writes as
+  edge, along the free sides and the folds between them, and one of a single node is a point; their names are in capitals. The lines that Gmsh writes as
   trusses (T3D2), without a section, are edges, too.
 - **Outward** is where the nodes of the cells run counterclockwise. All cells of a connected part take the
   orientation of the first one. Pressure acts on the inner face and contact on the outer one, unless told
@@ -64,7 +64,9 @@ end
   joined rigidly; the run says how many such sides there are. On a coarse mesh of a smooth surface the angle should be larger. Three cells or more
   may meet at a side: those that go on smoothly remain one part. `Joints = lid: hinge, seam: 2.5` releases the sides of a
   `Physical Curve`, or of the nodes of an `*NSET`, or gives them a stiffness: the moment per length and per angle in
-  radians. Parts that meet only at sides of three cells or more have their own orientations. See
+  radians. Parts that meet only at sides of three cells or more have their own orientations. Supports, loads and probes along
+  a line or at a point of a fold are those of the part of its first cell in the file; the displacement of the reference surface is
+  the same for all of them. See
   [theory.md](theory.md#folds-and-joints).
 - **Elements** are those of [Interpolation = Cartesian](theory.md#cells-of-any-shape) with `Strain sampling = means`,
   whatever these entries say.
@@ -73,7 +75,8 @@ The nodes must lie on the surface within a tenth of the thickness: a plate whose
 thickness is 7 % softer, as a crumpled plate is. The mesh itself is the surface: where cells turn by an angle
 $`\\theta`$, the chords are shorter than the arcs by $`\\theta^2/24`$.
 
-What needs coordinates is refused in one sentence before the first step: rolling and heat, sealed gas and end
+A sealed gas needs a cavity that is closed by the shell, by planes of symmetry, or by edges that are held (then its
+volume must be given). What needs coordinates is refused in one sentence before the first step: rolling and heat, end
 plates, multigrid and coarse meshes, and plies and imperfections by alpha_1 and alpha_2. Layers, rubber, cords that go slack and
 relaxation are those of other shells. Derivatives of the length, width and area of the footprint are refused, too, since these jump by
 half a cell with a node.

@@ -144,12 +144,14 @@ namespace Biface
 
   double
   FollowerPressure::flux(const Tensor<2, 3>        &A,
-                         MixedElement::NodalVector *gradient) const
+                         MixedElement::NodalVector *gradient,
+                         const Tensor<1, 3>        &from) const
   {
     const ElementGeometry::Stations &stations = geometry.stations;
     const Tensor<2, 3>               A_in_frame =
       transpose(stations.axes) * A * stations.axes;
-    const Tensor<1, 3> at_origin = (A * stations.origin) * stations.axes;
+    const Tensor<1, 3> at_origin =
+      (A * (stations.origin - from)) * stations.axes;
 
     double sum = 0;
     for (unsigned int i = 0; i < n_points[0]; ++i)

@@ -49,7 +49,8 @@ namespace Biface
   {
     const bool revolution =
       surface.type == ReferenceSurface::Parameters::Type::revolution;
-    gas.check(revolution);
+    gas.check(revolution ||
+              surface.type == ReferenceSurface::Parameters::Type::mesh);
     if (!pressure.end_plates.empty())
       {
         const auto refuse = [this](const std::string &why) {

@@ -111,8 +111,9 @@ namespace Biface
     if (!pressure.end_plates.empty())
       throw InputError("the entry 'Loads/End plates' must be empty" + why +
                        ".");
-    if (gas.ambient_pressure)
-      throw InputError("the section 'Gas' must not seal the shell" + why +
-                       " to close a cavity along.");
+    if (gas.ambient_pressure && gas.cavity.rim_radius)
+      throw InputError("Gas/Rim radius",
+                       number_to_string(*gas.cavity.rim_radius),
+                       "it must be 'edges'" + why);
   }
 } // namespace Biface

@@ -72,12 +72,13 @@ namespace Biface
                parse_joints,
                "How cells of a mesh are joined at the sides of groups of "
                "lines, 'lines: rigid', 'lines: hinge' or 'lines: STIFFNESS', "
-               "separated by commas: 'rigid' keeps the angles between the "
-               "parts, as everywhere else at folds; 'hinge' exerts no moment, "
-               "and is also possible where two cells go on smoothly; a number "
-               "is the moment per length of the line and per angle in radians, "
-               "a force. Where three cells or more meet, those that go on "
-               "smoothly remain one part.",
+               "separated by commas, also where two cells go on smoothly: "
+               "'rigid' keeps the angles between the parts, as everywhere else "
+               "at folds; 'hinge' exerts no moment; a number is the moment per "
+               "length of the line and per angle in radians, a force, between "
+               "each pair of parts. Where "
+               "three cells or more meet, those that go on smoothly remain one "
+               "part.",
                Unit("force"));
   }
 

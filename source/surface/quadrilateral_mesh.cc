@@ -253,21 +253,12 @@ namespace Biface
                                    joint.text,
                                    mesh.cell_in_words(of[0].cell) +
                                      " meets no other one there");
-                // the stiffness acts on the angle between two directors
-                if (joint.stiffness > 0 && of.size() == 2 &&
-                    angle_between(of[0], of[1]) <= fold_angle)
-                  throw InputError(
-                    "Surface/Mesh/Joints",
-                    joint.text,
-                    "there the surface goes on smoothly beyond " +
-                      mesh.cell_in_words(of[0].cell) +
-                      ", where only 'hinge' is possible");
                 joint_of_side[side] = joint.stiffness;
               }
           }
       }
 
-      /** Whether two cells at a side have their directors in common. A hinge
+      /** Whether two cells at a side have their directors in common. A joint
        * separates two cells that go on smoothly, but of more cells only those
        * that do not. */
       bool
@@ -638,7 +629,10 @@ namespace Biface
                   beyond = numbers::invalid_unsigned_int;
                   // nodes at the same places, in the opposite direction
                   if (mesh.nodes[one[0]] != mesh.nodes[two[1]])
-                    continue;
+                    {
+                      fold.is_closed[face] = false;
+                      continue;
+                    }
                   beyond = fold.cells[next].cell;
                   if (i < next && one != Side{{two[1], two[0]}})
                     fold.wedges[face].push_back({{i, next}});
@@ -806,8 +800,9 @@ namespace Biface
           }
       }
 
-      /** Make a group of a set of nodes, with the free sides between them and
-       * the nodes of their parts; elsewhere with the node of the first part. */
+      /** Make a group of a set of nodes, with the free sides and those of folds
+       * between them, and the nodes of the parts at free sides; elsewhere with
+       * the node of the first part. */
       void
       add_free_sides(Group &group, const std::set<unsigned int> &set_of_nodes)
       {
@@ -827,6 +822,13 @@ namespace Biface
                 all.insert(copy);
                 on_sides.insert(original.at(copy));
               }
+          }
+        for (const RawFold &fold : raw_folds)
+          {
+            const Side side =
+              QuadrilateralMesh::without_direction(fold.cells[0].side);
+            if (original.count(side[0]) > 0 && original.count(side[1]) > 0)
+              group.sides.push_back(side);
           }
         for (const unsigned int node : set_of_nodes)
           if (on_sides.count(node) == 0)

@@ -24,7 +24,7 @@ namespace
   constexpr unsigned int n = 4;
 
   /** Of one rank. */
-  constexpr double expected_displacement = 0.1;
+  constexpr double expected_displacement = 0.00228387931229;
 
 
   /** The box of the unit cube, whose six sides are irregular. */
@@ -101,8 +101,7 @@ namespace
          "subsection Material rubber\n  set E = 1\n  set nu = 0.3\nend\n"
          "subsection Laminate\n  set Plies = rubber: 0.1 @ 0\n"
          "  set Reference surface = middle\nend\n"
-         "subsection Named points\n"
-         "  set Points = O: 0 0 0, X: 1 0 0, Y: 0 1 0, M: 0.5 0.5 1\nend\n"
+         "set Named points = O: 0 0 0, X: 1 0 0, Y: 0 1 0, M: 1 1 1\n"
          "subsection Supports\n  set Point supports = O: x middle, "
          "O: y middle, O: z middle, X: y middle, X: z middle, Y: z middle\nend\n"
          "subsection Stage 1\n  set Pressure = 0.01\n  set Steps = 1\nend\n";
@@ -135,10 +134,10 @@ main(int argc, char *argv[])
       largest = std::max(largest, std::abs(std::stod(row.at(column))));
   check_small("resultants of supports and loads", largest, 1e-12, 0.01);
   const Row last = read_csv("results/history.csv").back();
-  check_small("iterations beyond 10", std::stod(last.at("iterations")), 10);
+  check_small("iterations", std::stod(last.at("iterations")), 6);
   for (const Row &row : read_csv("results/probes.csv"))
     if (row.at("name") == "M" && row.at("face") == "middle")
-      check_small("displacement of the middle of a side",
+      check_small("displacement of a corner",
                   std::stod(row.at("u_z")) - expected_displacement,
                   1e-8,
                   expected_displacement);

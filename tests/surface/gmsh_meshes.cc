@@ -46,11 +46,11 @@ namespace
 
 
   void
-  refuse(const std::string &text, const double fold_angle = 20)
+  refuse(const std::string &text)
   {
     try
       {
-        parse_mesh(text, "m.msh", fold_angle);
+        parse_mesh(text, "m.msh", 20);
         std::cout << "ACCEPTED" << std::endl;
       }
     catch (const InputError &error)
@@ -148,15 +148,6 @@ main()
   refuse(cells_of({a, b, d, c}, {"3 0 1 2 3 4"}));
   refuse(cells_of({a, b, c, d, {2, 0, 0}, {2, 1, 0}},
                   {"3 0 1 2 3 4", "3 0 1 2 3 4"}));
-  // a T-joint
-  refuse(cells_of({a, b, c, d, {2, 0, 0}, {2, 1, 0}, {1, 0, 1}, {1, 1, 1}},
-                  {"3 0 1 2 3 4", "3 0 2 5 6 3", "3 0 2 7 8 3"}));
-  // a fold
-  refuse(cells_of({a, b, c, d, {1.5, 0, .5}, {1.5, 1, .5}},
-                  {"3 0 1 2 3 4", "3 0 2 5 6 3"}));
-  refuse(cells_of({a, b, c, d, {1.9, 0, .3}, {1.9, 1, .3}},
-                  {"3 0 1 2 3 4", "3 0 2 5 6 3"}),
-         15);
   // an open seam
   refuse(cells_of({a, b, c, d, b, {2, 0, 0}, {2, 1, 0}, c},
                   {"3 0 1 2 3 4", "3 0 5 6 7 8"}));

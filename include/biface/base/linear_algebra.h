@@ -40,15 +40,18 @@ namespace Biface
 
 
   /** The entries of a vector in the order of the columns of a matrix on this
-   * rank.
-   * @param x readable at these columns. */
+   * rank, from the ranks that own them. Must be called on all ranks. */
   inline Epetra_Vector
   at_columns(const LA::SparseMatrix &A, const LA::Vector &x)
   {
-    const Epetra_BlockMap &columns = A.trilinos_matrix().ColMap();
-    Epetra_Vector          entries(columns);
-    for (int k = 0; k < columns.NumMyElements(); ++k)
-      entries[k] = x(columns.GID(k));
+    const Epetra_CrsMatrix &epetra = A.trilinos_matrix();
+    Epetra_Vector           owned(epetra.DomainMap());
+    for (int k = 0; k < owned.MyLength(); ++k)
+      owned[k] = x(owned.Map().GID(k));
+    if (epetra.Importer() == nullptr)
+      return owned;
+    Epetra_Vector entries(epetra.ColMap());
+    entries.Import(owned, *epetra.Importer(), Insert);
     return entries;
   }
 

@@ -65,10 +65,12 @@ namespace Biface
      * @param A in Cartesian coordinates. If components are interpolated, the
      * field is symmetric about the axis of the surface.
      * @param gradient the derivative by the nodal displacements is added,
-     * unless null. */
+     * unless null.
+     * @param from a point from which @f$\mathbf x@f$ counts. */
     double
     flux(const dealii::Tensor<2, 3> &A,
-         MixedElement::NodalVector  *gradient = nullptr) const;
+         MixedElement::NodalVector  *gradient = nullptr,
+         const dealii::Tensor<1, 3> &from     = dealii::Tensor<1, 3>()) const;
 
   private:
     /** The numbers of Gauss points along both coordinates: for polynomials of

@@ -13,7 +13,8 @@ namespace Biface
     /** The text of the user. */
     std::string text;
     std::string group;
-    /** See QuadrilateralMesh::Fold::stiffness. */
+    /** The moment per length and angle between the parts; infinite if they are
+     * joined rigidly, zero at a hinge. Unit: force. */
     double stiffness;
   };
 } // namespace Biface

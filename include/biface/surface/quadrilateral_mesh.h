@@ -83,6 +83,9 @@ namespace Biface
        * edges, too. The outward normal points out of the wedge of inner faces.
        */
       std::array<std::vector<std::array<unsigned int, 2>>, 2> wedges;
+      /** Whether the inner, or outer, face of each cell bounds a wedge with
+       * that of another one. */
+      std::array<bool, 2> is_closed{{true, true}};
     };
     std::vector<Fold> folds;
 

@@ -54,7 +54,7 @@ namespace Biface
   {
     double of_terms = 0;
     for (const auto &term : other_terms)
-      of_terms += term->strain_energy(state);
+      of_terms += term->stored_energy(state);
     return internal.strain_energy(state) +
            Utilities::MPI::sum(of_terms, mesh.communicator);
   }

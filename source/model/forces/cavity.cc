@@ -31,7 +31,8 @@ namespace Biface
       "computed",
       "Volume that the gas fills in the undeformed shell. 'computed', for a "
       "surface of revolution: between the face under pressure, the cylinder "
-      "of 'Rim radius', and planes orthogonal to the axis or through it. Only "
+      "of 'Rim radius', and planes orthogonal to the axis or through it; for a "
+      "mesh from a file that is closed, or but for planes of symmetry. Only "
       "the part that is modeled counts.",
       Unit("length^3"));
     add_optional_number(
@@ -48,15 +49,15 @@ namespace Biface
 
 
   void
-  Cavity::Parameters::check(const bool has_axis) const
+  Cavity::Parameters::check(const bool is_known) const
   {
     if (volume)
       check_positive("Gas/Cavity volume", *volume);
-    else if (!has_axis)
+    else if (!is_known)
       throw InputError("Gas/Cavity volume",
                        "computed",
                        "it must be a number unless the shell is a surface of "
-                       "revolution");
+                       "revolution or a mesh from a file");
     if (rim_radius)
       check_not_negative("Gas/Rim radius", *rim_radius);
   }
@@ -70,9 +71,13 @@ namespace Biface
     , axis(mesh.get_surface().axis())
     , rim_radius(parameters.rim_radius ? *parameters.rim_radius
                                        : radius_of_edges())
+    , gaps(gaps_at_folds(mesh, face))
     , within_rim(mesh.owned_vector())
   {
-    if (axis.norm_square() > 0)
+    const bool has_chart = mesh.get_surface().has_chart();
+    if (!has_chart)
+      set_field_of_mesh(parameters);
+    else if (axis.norm_square() > 0)
       {
         // r/2 e_r has the divergence 1, as F of section 5 of doc/theory.md
         linear_part = unit_symmetric_tensor<3>();
@@ -103,12 +108,12 @@ namespace Biface
     else
       linear_part[2][2] = 1;
 
-    double exact = 0, of_cells = 0;
+    const double of_cells = flux(nullptr);
+    // the faces of a mesh from a file are those of its cells
+    double exact = (has_chart ? 0. : of_cells);
     for (const Cell &cell : mesh.wall_elements())
-      {
+      if (has_chart)
         exact += exact_flux(cell);
-        of_cells += flux(cell, MixedElement::NodalVector());
-      }
     // the faces of the cells give the changes of the volume, of which the
     // forces are the exact derivatives, and not the volume itself
     exact    = Utilities::MPI::sum(exact, mesh.communicator);
@@ -119,17 +124,70 @@ namespace Biface
                        "computed",
                        "the face under pressure encloses the volume " +
                          number_to_string(exact) +
-                         ", which must be positive; give the volume or the "
-                         "'Rim radius'");
+                         ", which must be positive; " +
+                         (has_chart ? "give the volume or the 'Rim radius'"
+                                    : "'Loads/Pressure face' chooses the other "
+                                      "face"));
+  }
+
+
+  void
+  Cavity::set_field_of_mesh(const Parameters &parameters)
+  {
+    // the field must not pass through planes of symmetry
+    std::vector<unsigned int> along;
+    for (unsigned int d = 0; d < 3; ++d)
+      if (mesh.symmetry_planes[d].empty())
+        along.push_back(d);
+    for (unsigned int d = 0; d < 3 && along.empty(); ++d)
+      {
+        const auto &planes = mesh.symmetry_planes[d];
+        const auto  ends   = std::minmax_element(planes.begin(), planes.end());
+        if (*ends.second - *ends.first < 1e-6 * mesh.size())
+          {
+            along     = {d};
+            origin[d] = *ends.first;
+          }
+      }
+    if (along.empty())
+      throw InputError("the section 'Gas' cannot find the volume between two "
+                       "planes of symmetry along each of the axes; leave out "
+                       "one of the planes.");
+    for (const unsigned int d : along)
+      linear_part[d][d] = 1. / along.size();
+
+    agree_on_errors(mesh.communicator, [&]() {
+      for (const unsigned int n : mesh.ends_of_faces[face])
+        {
+          const Node       &node = mesh.nodes[n];
+          const std::string here =
+            "the section 'Gas' needs a closed cavity, but the face under "
+            "pressure ends at (" +
+            vector_to_string(node.surface.position) + "), ";
+          const bool moves =
+            std::any_of(mesh.prescribed.begin(),
+                        mesh.prescribed.end(),
+                        [&node](const PrescribedDisplacement &prescribed) {
+                          return std::find(node.dofs.begin(),
+                                           node.dofs.end(),
+                                           prescribed.dof) != node.dofs.end();
+                        });
+          if (node.face_is_free[face] || moves)
+            throw InputError(here +
+                             "where it can move: let 'Edge supports' hold it, "
+                             "or make the edge one of 'symmetry'.");
+          if (!parameters.volume)
+            throw InputError(here + "so that 'Gas/Cavity volume' must be a "
+                                    "number.");
+        }
+    });
   }
 
 
   double
   Cavity::volume(const State &state) const
   {
-    double sum = 0;
-    for (const Cell &cell : mesh.wall_elements())
-      sum += flux(cell, mesh.cell_values(state.displacement, cell));
+    const double sum = flux(&state.displacement);
     return constant + Utilities::MPI::sum(sum, mesh.communicator) -
            within_rim * owned_part(state.displacement);
   }
@@ -139,12 +197,7 @@ namespace Biface
   Cavity::volume_gradient(const State &state) const
   {
     LA::Vector gradient = mesh.owned_vector();
-    for (const Cell &cell : mesh.wall_elements())
-      {
-        MixedElement::NodalVector of_cell;
-        flux(cell, mesh.cell_values(state.displacement, cell), &of_cell);
-        mesh.add_nodal_forces(cell, of_cell, gradient);
-      }
+    flux(&state.displacement, &gradient);
     gradient.compress(VectorOperation::add);
     gradient -= within_rim;
     return gradient;
@@ -164,11 +217,40 @@ namespace Biface
 
 
   double
+  Cavity::flux(const LA::Vector *V, LA::Vector *gradient) const
+  {
+    double     sum    = 0;
+    const auto values = [&](const Cell &cell) {
+      return V ? mesh.cell_values(*V, cell) : MixedElement::NodalVector();
+    };
+    for (const Cell &cell : mesh.wall_elements())
+      {
+        MixedElement::NodalVector of_cell;
+        sum += flux(cell, values(cell), gradient ? &of_cell : nullptr);
+        if (gradient)
+          mesh.add_nodal_forces(cell, of_cell, *gradient);
+      }
+    for (const GapAtFold &gap : gaps)
+      {
+        MixedElement::NodalVector of_gap;
+        sum += flux(gap.element,
+                    gap.displacements(values(gap.element)),
+                    gradient ? &of_gap : nullptr);
+        if (gradient)
+          mesh.add_nodal_forces(
+            gap.element, gap.at_unknowns(of_gap), *gradient);
+      }
+    return sum;
+  }
+
+
+  double
   Cavity::flux(const Cell                      &cell,
                const MixedElement::NodalVector &V,
                MixedElement::NodalVector       *gradient) const
   {
-    return FollowerPressure(cell.geometry, V, face).flux(linear_part, gradient);
+    return FollowerPressure(cell.geometry, V, face)
+      .flux(linear_part, gradient, origin);
   }
 
 

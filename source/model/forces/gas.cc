@@ -40,13 +40,13 @@ namespace Biface
 
 
   void
-  Gas::Parameters::check(const bool has_axis) const
+  Gas::Parameters::check(const bool is_known) const
   {
     check_positive("Gas/Polytropic exponent", exponent);
     if (!ambient_pressure)
       return;
     check_not_negative("Gas/Ambient pressure", *ambient_pressure);
-    cavity.check(has_axis);
+    cavity.check(is_known);
   }
 
 

@@ -4,10 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include <biface/base/errors.h>
-#include <biface/input/parameter_tools.h>
 #include <biface/laminate/stiffness_along.h>
 #include <biface/model/forces/joints.h>
+#include <biface/model/mesh/element_between.h>
 #include <biface/model/mesh/fold_side.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/model/state/state.h>
@@ -16,29 +15,78 @@ namespace Biface
 {
   using namespace dealii;
 
-  JointAngle::JointAngle(const std::array<Tensor<1, 3>, 2> &W,
-                         const std::array<Tensor<1, 3>, 2> &change)
+  JointAngle::JointAngle(const Vectors &undeformed, const Vectors &change)
   {
-    const std::array<double, 2> length{{W[0].norm(), W[1].norm()}};
-    const double                both   = length[0] * length[1];
-    const double                cosine = W[0] * W[1] / both,
-                 sine = cross_product_3d(W[0], W[1]).norm() / both;
+    const Tensor<1, 3> &W_1 = undeformed[0], &W_2 = undeformed[1],
+                       &T = undeformed[2];
+    Vectors x;
+    for (unsigned int i = 0; i < 3; ++i)
+      x[i] = undeformed[i] + change[i];
+    const Tensor<1, 3> &w_2 = x[1], &t = x[2];
 
-    // without the difference of large products
-    angle =
-      (W[0] * change[1] + change[0] * W[1] + change[0] * change[1]) / both;
+    // sine and cosine of the angle times lengths, in the undeformed shell, and
+    // their changes without differences of numbers that are nearly the same
+    const double length = t.norm(), former = T.norm(),
+                 squares       = 2 * (T * change[2]) + change[2].norm_square();
+    const Tensor<1, 3> normal  = cross_product_3d(W_1, W_2),
+                       turning = cross_product_3d(change[0], w_2) +
+                                 cross_product_3d(W_1, change[1]);
+    const double sine       = T * normal / former,
+                 d_products = change[2] * (normal + turning) + T * turning,
+                 d_sine =
+                   (d_products - sine * squares / (length + former)) / length;
+    std::array<double, 2> along, d_along;
     for (unsigned int k = 0; k < 2; ++k)
       {
-        const double       square = length[k] * length[k];
-        const Tensor<1, 3> w      = W[k] + change[k],
-                           other  = W[1 - k] + change[1 - k];
-        angle -=
-          cosine / 2 * (2 * W[k] * change[k] + change[k] * change[k]) / square;
-        gradient[k]         = (other / both - cosine / square * w) / sine;
-        curvature[k][k]     = -cosine / square / sine;
-        curvature[k][1 - k] = 1 / both / sine;
+        along[k]   = undeformed[k] * T;
+        d_along[k] = undeformed[k] * change[2] + change[k] * t;
       }
-    angle /= sine;
+    const double of_parts = along[0] * along[1] / (former * former),
+                 cosine   = W_1 * W_2 - of_parts,
+                 d_parts  = (d_along[0] * (along[1] + d_along[1]) +
+                            along[0] * d_along[1] - of_parts * squares) /
+                           (length * length),
+                 d_cosine = change[0] * w_2 + W_1 * change[1] - d_parts;
+    angle                 = std::atan2(d_sine * cosine - d_cosine * sine,
+                       (cosine + d_cosine) * cosine + (sine + d_sine) * sine);
+
+    // a director turns about the line by q.dw, and by -(w.t/t) q.dt
+    const Tensor<1, 3>          unit = t / length;
+    std::array<double, 2>       s, square;
+    std::array<Tensor<1, 3>, 2> q;
+    for (unsigned int k = 0; k < 2; ++k)
+      {
+        s[k]      = x[k] * unit;
+        square[k] = x[k].norm_square() - s[k] * s[k];
+        q[k]      = cross_product_3d(unit, x[k]) / square[k];
+      }
+    gradient = {{-q[0], q[1], (s[0] * q[0] - s[1] * q[1]) / length}};
+
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = 0; j < 3; ++j)
+        {
+          Vectors d;
+          d[i][j]                    = 1;
+          const double       stretch = unit * d[2] / length;
+          const Tensor<1, 3> d_unit  = d[2] / length - stretch * unit;
+          Tensor<1, 3>       by_line = -stretch * gradient[2];
+          Vectors            d_gradient;
+          for (unsigned int k = 0; k < 2; ++k)
+            {
+              const double       sign = (k == 0 ? -1. : 1.);
+              const double       d_s  = d[k] * unit + x[k] * d_unit;
+              const Tensor<1, 3> d_q =
+                (cross_product_3d(unit, d[k]) + cross_product_3d(d_unit, x[k]) -
+                 2 * (x[k] * d[k] - s[k] * d_s) * q[k]) /
+                square[k];
+              d_gradient[k] = sign * d_q;
+              by_line -= sign / length * (d_s * q[k] + s[k] * d_q);
+            }
+          d_gradient[2] = by_line;
+          for (unsigned int k = 0; k < 3; ++k)
+            for (unsigned int l = 0; l < 3; ++l)
+              curvature[k][i][l][j] = d_gradient[k][l];
+        }
   }
 
 
@@ -63,64 +111,46 @@ namespace Biface
     }
 
 
-    /** The half difference of the faces of the undeformed shell at a vertex. */
-    Tensor<1, 3>
-    half_difference(const Cell &element, const unsigned int vertex)
+    /** The middle between the faces at a node of the undeformed shell. */
+    Point<3>
+    middle(const Node &node)
     {
-      const ElementGeometry::Vertex &at = element.geometry.vertices[vertex];
-      Tensor<1, 3>                   normal;
-      normal[2] = at.thickness / 2;
-      return at.axes * normal;
+      return node.surface.position +
+             (node.face_heights[0] + node.face_heights[1]) / 2 *
+               node.surface.frame[2];
     }
   } // namespace
 
 
   Joints::Joints(const ShellMesh &mesh) : mesh(mesh)
   {
-    agree_on_errors(mesh.communicator, [&]() {
-      for (const FoldSide &fold : mesh.folds)
-        {
-          if (fold.stiffness == 0)
-            continue;
-          const double stiffness =
-            (std::isinf(fold.stiffness) ? rigid_stiffness(mesh, fold)
-                                        : fold.stiffness);
-          // cells of one part have the same nodes
-          std::vector<std::array<unsigned int, 2>> parts;
-          for (const FoldSide::Part &part : fold.parts)
-            if (std::find(parts.begin(), parts.end(), part.nodes) ==
-                parts.end())
-              parts.push_back(part.nodes);
-          for (unsigned int i = 0; i < parts.size(); ++i)
-            for (unsigned int j = 0; j < i; ++j)
-              {
-                Pair pair{
-                  element_between(
-                    mesh,
-                    {{parts[j][0], parts[j][1], parts[i][0], parts[i][1]}}),
-                  {}};
-                for (unsigned int end = 0; end < 2; ++end)
-                  {
-                    if (parts[i][end] == parts[j][end])
-                      continue;
-                    pair.stiffness[end] = stiffness * fold.length / 2;
-                    const Node &one     = mesh.nodes[parts[j][end]],
-                               &two     = mesh.nodes[parts[i][end]];
-                    const double sine   = cross_product_3d(one.surface.frame[2],
-                                                         two.surface.frame[2])
-                                          .norm();
-                    if (!(sine > 0.05))
-                      throw InputError(
-                        "parts of the mesh meet at (" +
-                        vector_to_string(one.surface.position) +
-                        "), where their normals are parallel, so that no fold "
-                        "joins them: let the cells there be smaller, or raise "
-                        "'Surface/Mesh/Fold angle'.");
-                  }
-                pairs.push_back(pair);
-              }
-        }
-    });
+    for (const FoldSide &fold : mesh.folds)
+      {
+        if (fold.stiffness == 0)
+          continue;
+        const double stiffness =
+          (std::isinf(fold.stiffness) ? rigid_stiffness(mesh, fold)
+                                      : fold.stiffness);
+        // cells of one part have the same nodes
+        std::vector<std::array<unsigned int, 2>> parts;
+        for (const FoldSide::Part &part : fold.parts)
+          if (std::find(parts.begin(), parts.end(), part.nodes) == parts.end())
+            parts.push_back(part.nodes);
+        for (unsigned int i = 0; i < parts.size(); ++i)
+          for (unsigned int j = 0; j < i; ++j)
+            {
+              Pair pair{
+                element_between(
+                  mesh, {{parts[j][0], parts[j][1], parts[i][0], parts[i][1]}}),
+                middle(mesh.nodes[parts[j][1]]) -
+                  middle(mesh.nodes[parts[j][0]]),
+                {}};
+              for (unsigned int end = 0; end < 2; ++end)
+                if (parts[i][end] != parts[j][end])
+                  pair.stiffness[end] = stiffness * fold.length / 2;
+              pairs.push_back(pair);
+            }
+      }
   }
 
 
@@ -134,20 +164,49 @@ namespace Biface
   }
 
 
-  Joints::Directors::Directors(const Pair                      &pair,
-                               const unsigned int               end,
-                               const MixedElement::NodalVector &V)
+  std::array<Joints::Unknown, 4>
+  Joints::unknowns(const unsigned int end)
   {
+    return {{{end, MixedElement::half_difference, 0, 1},
+             {2 + end, MixedElement::half_difference, 1, 1},
+             {1, MixedElement::mean, 2, 1},
+             {0, MixedElement::mean, 2, -1}}};
+  }
+
+
+  JointAngle::Vectors
+  Joints::undeformed(const Pair &pair, const unsigned int end)
+  {
+    JointAngle::Vectors result;
+    result[2] = pair.line;
     for (unsigned int k = 0; k < 2; ++k)
       {
-        const unsigned int vertex = end + 2 * k;
-        axes[k]                   = pair.element.geometry.vertices[vertex].axes;
-        undeformed[k]             = half_difference(pair.element, vertex);
-        for (unsigned int i = 0; i < 3; ++i)
-          change[k][i] =
-            V[MixedElement::dof(vertex, i, MixedElement::half_difference)];
-        change[k] = axes[k] * change[k];
+        const ElementGeometry::Vertex &at =
+          pair.element.geometry.vertices[end + 2 * k];
+        Tensor<1, 3> half_difference;
+        half_difference[2] = at.thickness / 2;
+        result[k]          = at.axes * half_difference;
       }
+    return result;
+  }
+
+
+  JointAngle::Vectors
+  Joints::change(const Pair                      &pair,
+                 const unsigned int               end,
+                 const MixedElement::NodalVector &V)
+  {
+    JointAngle::Vectors result;
+    for (const Unknown &unknown : unknowns(end))
+      {
+        Tensor<1, 3> v;
+        for (unsigned int i = 0; i < 3; ++i)
+          v[i] = V[MixedElement::dof(unknown.vertex, i, unknown.part)];
+        result[unknown.vector] +=
+          unknown.sign *
+          (pair.element.geometry.vertices[unknown.vertex].axes * v);
+      }
+    return result;
   }
 
 
@@ -155,34 +214,38 @@ namespace Biface
   Joints::add(const CellState &at, CellForces &forces) const
   {
     const Pair &pair = pairs[at.index];
+    const auto  axes = [&pair](const Unknown &unknown) {
+      return unknown.sign * pair.element.geometry.vertices[unknown.vertex].axes;
+    };
     for (unsigned int end = 0; end < 2; ++end)
       {
         if (pair.stiffness[end] == 0)
           continue;
-        const auto dof = [&](const unsigned int k, const unsigned int i) {
-          return MixedElement::dof(
-            end + 2 * k, i, MixedElement::half_difference);
-        };
-        const Directors  directors(pair, end, at.V);
-        const JointAngle joint(directors.undeformed, directors.change);
+        const JointAngle joint(undeformed(pair, end), change(pair, end, at.V));
         const double     moment = pair.stiffness[end] * joint.angle;
-        for (unsigned int k = 0; k < 2; ++k)
+        for (const Unknown &one : unknowns(end))
           {
-            const Tensor<1, 3> own = joint.gradient[k] * directors.axes[k];
+            const Tensor<1, 3> own = joint.gradient[one.vector] * axes(one);
             forces.square += (moment * own).norm_square();
             for (unsigned int i = 0; i < 3; ++i)
-              forces.force[dof(k, i)] -= moment * own[i];
-            for (unsigned int l = 0; forces.with_tangent && l < 2; ++l)
+              forces.force[MixedElement::dof(one.vertex, i, one.part)] -=
+                moment * own[i];
+            if (!forces.with_tangent)
+              continue;
+            for (const Unknown &two : unknowns(end))
               {
                 const Tensor<1, 3> other =
-                  joint.gradient[l] * directors.axes[l];
-                const Tensor<2, 3> turn =
-                  transpose(directors.axes[k]) * directors.axes[l];
+                  joint.gradient[two.vector] * axes(two);
+                const Tensor<2, 3> curved =
+                  transpose(axes(one)) *
+                  joint.curvature[one.vector][two.vector] * axes(two);
                 for (unsigned int i = 0; i < 3; ++i)
                   for (unsigned int j = 0; j < 3; ++j)
-                    forces.tangent[dof(k, i)][dof(l, j)] +=
+                    forces
+                      .tangent[MixedElement::dof(one.vertex, i, one.part)]
+                              [MixedElement::dof(two.vertex, j, two.part)] +=
                       pair.stiffness[end] * own[i] * other[j] +
-                      moment * joint.curvature[k][l] * turn[i][j];
+                      moment * curved[i][j];
               }
           }
       }
@@ -190,32 +253,30 @@ namespace Biface
 
 
   double
-  Joints::strain_energy(const State &state) const
+  Joints::stored_energy(const State &state) const
   {
-    double energy = 0;
+    const auto &base   = state.linearization_point;
+    double      energy = 0;
     for (const Pair &pair : pairs)
       {
         const auto V = mesh.cell_values(state.displacement, pair.element);
         const auto V_0 =
-          (state.linearization_point
-             ? mesh.cell_values(state.linearization_point->displacement,
-                                pair.element)
-             : V);
+          (base ? mesh.cell_values(base->displacement, pair.element) : V);
         for (unsigned int end = 0; end < 2; ++end)
           {
             if (pair.stiffness[end] == 0)
               continue;
-            const Directors  at(pair, end, V_0), change(pair, end, V - V_0);
-            const JointAngle joint(at.undeformed, at.change);
+            const JointAngle joint(undeformed(pair, end),
+                                   change(pair, end, V_0));
             // to second order about the state of the linearization, whose
             // derivative are the linearized forces
-            double first = 0, second = 0;
-            for (unsigned int k = 0; k < 2; ++k)
+            const auto d     = change(pair, end, V - V_0);
+            double     first = 0, second = 0;
+            for (unsigned int k = 0; k < 3; ++k)
               {
-                first += joint.gradient[k] * change.change[k];
-                for (unsigned int l = 0; l < 2; ++l)
-                  second += joint.curvature[k][l] *
-                            (change.change[k] * change.change[l]);
+                first += joint.gradient[k] * d[k];
+                for (unsigned int l = 0; l < 3; ++l)
+                  second += d[k] * (joint.curvature[k][l] * d[l]);
               }
             energy += pair.stiffness[end] / 2 *
                       ((joint.angle + first) * (joint.angle + first) +

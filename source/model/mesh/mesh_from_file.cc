@@ -711,6 +711,41 @@ namespace Biface
           }
         folds.push_back(here);
       }
+    // where faces end
+    std::array<std::set<unsigned int>, 3> in_planes;
+    for (const EdgeSupport &support : supports.named_edges)
+      if (support.symmetry)
+        for (const unsigned int number :
+             mesh
+               .groups[group_of_edge[find_edge(
+                 "Supports/Edge supports", support.text, support.edge)]]
+               .nodes)
+          {
+            in_planes[*support.symmetry].insert(number);
+            symmetry_planes[*support.symmetry].push_back(
+              mesh.nodes[number][*support.symmetry]);
+          }
+    const auto add_end = [&](const QuadrilateralMesh::CellSide &at,
+                             const unsigned int                 face) {
+      if (owned_columns.count(at.cell) > 0)
+        for (const unsigned int number : mesh.side(at.cell, at.face))
+          ends_of_faces[face].push_back(node_of_number.at(number));
+    };
+    for (const QuadrilateralMesh::CellSide &at : mesh.free_sides)
+      {
+        const Side side     = mesh.side(at.cell, at.face);
+        const bool in_plane = std::any_of(
+          in_planes.begin(), in_planes.end(), [&](const auto &numbers) {
+            return numbers.count(side[0]) > 0 && numbers.count(side[1]) > 0;
+          });
+        for (unsigned int face = 0; face < 2 && !in_plane; ++face)
+          add_end(at, face);
+      }
+    for (const QuadrilateralMesh::Fold &fold : mesh.folds)
+      for (unsigned int face = 0; face < 2; ++face)
+        if (!fold.is_closed[face])
+          for (const QuadrilateralMesh::CellSide &at : fold.cells)
+            add_end(at, face);
     for (unsigned int face = 0; face < 2; ++face)
       for (const std::vector<unsigned int> &corner : mesh.corners[face])
         {

@@ -155,9 +155,10 @@ namespace Biface
           for (unsigned int i = 0; i < item.nodes.size(); ++i)
             {
               const auto begin = held[k].begin() + n_faces * i;
-              result.push_back({equation.body,
-                                item.nodes[i],
-                                scaled(share, {begin, begin + n_faces})});
+              result.push_back(
+                {equation.body,
+                 item.nodes[i],
+                 scaled(share, FaceForces(begin, begin + n_faces))});
             }
           rest = sum(rest, scaled(-share, held[k]));
           if (paired)

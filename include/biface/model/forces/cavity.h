@@ -7,9 +7,11 @@
 #include <deal.II/base/tensor.h>
 
 #include <optional>
+#include <vector>
 
 #include <biface/base/linear_algebra.h>
 #include <biface/laminate/resultants.h>
+#include <biface/model/forces/gaps_at_folds.h>
 #include <biface/model/mesh/shell_mesh.h>
 
 namespace Biface
@@ -36,6 +38,12 @@ namespace Biface
    * with the edge. The gradient of the volume is the force of a unit pressure,
    * with that of the planes, wherever the edges move in planes and cylinders
    * that close the cavity.
+   *
+   * On a mesh from a file the faces of the cells and the gaps at folds, see
+   * GapAtFold, are closed except in planes of symmetry, through which the field
+   * does not pass, and at edges that do not move. The field is a third of
+   * the position, a half or all of its components along the planes, or the
+   * distance from a plane if there are planes normal to all three axes.
    */
   class Cavity
   {
@@ -54,14 +62,14 @@ namespace Biface
       add_parameters(EntryDeclarations &prm);
 
       /** Throws InputError if a value is invalid.
-       * @param has_axis whether the shell is a surface of revolution, without
-       * which the volume must be given. */
+       * @param is_known whether the volume follows from the shape of the shell,
+       * and need not be given. */
       void
-      check(const bool has_axis) const;
+      check(const bool is_known) const;
     };
 
     /** The space under a face. Throws InputError on all ranks if its volume is
-     * not positive.
+     * not positive, or if a mesh from a file is open.
      * @param mesh kept by reference.
      * @param face the face under pressure. */
     Cavity(const ShellMesh       &mesh,
@@ -77,10 +85,22 @@ namespace Biface
     volume_gradient(const State &state) const;
 
   private:
+    /** Choose the field on a mesh from a file. */
+    void
+    set_field_of_mesh(const Parameters &parameters);
+
     /** The vector field @f$\mathbf F@f$ at a point; for a plane @f$z\,\mathbf
      * e_z@f$. */
     dealii::Tensor<1, 3>
     field(const dealii::Point<3> &x) const;
+
+    /** The sum of the fluxes of the linear part of the field through the
+     * deformed faces of the cells and the gaps of this rank.
+     * @param V null in the undeformed shell.
+     * @param gradient its derivative by the nodal unknowns is added, unless
+     * null. */
+    double
+    flux(const LA::Vector *V, LA::Vector *gradient = nullptr) const;
 
     /** The flux of the linear part of the field through the deformed face of a
      * cell.
@@ -111,6 +131,10 @@ namespace Biface
     const double               rim_radius;
     /** The linear part of the field, @f$\mathbf A\mathbf x@f$. */
     dealii::Tensor<2, 3> linear_part;
+    /** The point from which @f$\mathbf x@f$ counts. */
+    dealii::Tensor<1, 3> origin;
+    /** The gaps at folds of the face. */
+    const std::vector<GapAtFold> gaps;
     /** The derivative of what planes within the rim at the edges sweep. */
     LA::Vector within_rim;
     /** The volume under the undeformed shell, less the flux of its cells. */

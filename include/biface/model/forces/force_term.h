@@ -225,7 +225,7 @@ namespace Biface
      * that of its cells, see InternalForces::strain_energy(). Unit: force times
      * length. */
     virtual double
-    strain_energy(const State & /*state*/) const
+    stored_energy(const State & /*state*/) const
     {
       return 0;
     }

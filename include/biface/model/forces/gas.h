@@ -42,9 +42,9 @@ namespace Biface
       add_parameters(EntryDeclarations &prm);
 
       /** Throws InputError if a value is invalid.
-       * @param has_axis see Cavity::Parameters::check(). */
+       * @param is_known see Cavity::Parameters::check(). */
       void
-      check(const bool has_axis) const;
+      check(const bool is_known) const;
     };
 
     /** The gas of a cavity.

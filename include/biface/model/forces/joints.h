@@ -14,34 +14,36 @@
 namespace Biface
 {
   /**
-   * The angle by which two directors have turned against each other, and its
-   * derivatives: with the half differences @f$\mathbf W_k@f$ of the faces,
-   * @f$\mathbf w_k@f$ in the deformed shell, and the angle @f$\gamma@f$ between
-   * @f$\mathbf W_1@f$ and @f$\mathbf W_2@f$,
+   * The angle by which two directors @f$\mathbf w_1,\mathbf w_2@f$ have turned
+   * against each other about the direction @f$\mathbf t@f$ of the line where
+   * they meet, and its derivatives:
    * @f[
-   *   \vartheta = \frac1{\sin\gamma}\,\Delta\Bigl(
-   *     \frac{\mathbf w_1\cdot\mathbf w_2}{W_1W_2} - \frac{\cos\gamma}2
-   *     \Bigl(\frac{w_1^2}{W_1^2}+\frac{w_2^2}{W_2^2}\Bigr)\Bigr) ,
+   *   \vartheta = \Delta\arctan\frac{\mathbf t\cdot(\mathbf w_1\times\mathbf
+   * w_2)}
+   *     {|\mathbf t|\,\bigl(\mathbf w_1\cdot\mathbf w_2 -
+   *      (\mathbf w_1\cdot\mathbf t)(\mathbf w_2\cdot\mathbf t)/t^2\bigr)} ,
    * @f]
-   * where @f$\Delta@f$ is the change. It is zero in rigid motions, and of
-   * second order in changes of the thickness; section 4.3 of doc/any_mesh.md.
+   * where @f$\Delta@f$ is the change, between -180 and 180 degrees. It is zero
+   * in rigid motions and for changes of the lengths of the three vectors, see
+   * section "Folds and joints" of doc/theory.md.
    */
   struct JointAngle
   {
+    /** The half differences @f$\mathbf w_1,\mathbf w_2@f$ of the faces, and
+     * @f$\mathbf t@f$. */
+    using Vectors = std::array<dealii::Tensor<1, 3>, 3>;
+
     double angle;
-    /** The derivatives by both changes. Unit: 1/length. */
-    std::array<dealii::Tensor<1, 3>, 2> gradient;
-    /** The factors of the unit tensor in the second derivatives by the changes
-     * i and j, constant. Unit: 1/length². */
-    std::array<std::array<double, 2>, 2> curvature;
+    /** The derivatives by the changes of the vectors. Unit: 1/length. */
+    Vectors gradient;
+    /** The second derivatives. Unit: 1/length². */
+    std::array<std::array<dealii::Tensor<2, 3>, 3>, 3> curvature;
 
     /**
-     * @param W the half differences in the undeformed shell; they must not be
-     * parallel.
+     * @param undeformed the vectors in the undeformed shell.
      * @param change their changes.
      */
-    JointAngle(const std::array<dealii::Tensor<1, 3>, 2> &W,
-               const std::array<dealii::Tensor<1, 3>, 2> &change);
+    JointAngle(const Vectors &undeformed, const Vectors &change);
   };
 
 
@@ -58,9 +60,8 @@ namespace Biface
   class Joints : public ForceTerm
   {
   public:
-    /** The mesh is kept by reference. Throws InputError on all ranks if the
-     * directors of two parts that are joined are nearly parallel at a node. */
-    Joints(const ShellMesh &mesh);
+    /** The mesh is kept by reference. */
+    explicit Joints(const ShellMesh &mesh);
 
     std::vector<const Cell *>
     elements() const override;
@@ -69,7 +70,7 @@ namespace Biface
     add(const CellState &at, CellForces &forces) const override;
 
     double
-    strain_energy(const State &state) const override;
+    stored_energy(const State &state) const override;
 
     Source
     source() const override
@@ -83,22 +84,39 @@ namespace Biface
     struct Pair
     {
       Cell element;
+      /** From the first to the second end, in the middle between the faces of
+       * the first part. Unit: length. */
+      dealii::Tensor<1, 3> line;
       /** The moments per angle at the ends; zero where both parts have the same
        * node. Unit: force times length. */
       std::array<double, 2> stiffness;
     };
 
-    /** The change of the directors of a pair at one end, in space, and the axes
-     * of their nodes. */
-    struct Directors
+    /** An unknown vector of a pair, on which one of the vectors of JointAngle
+     * depends. */
+    struct Unknown
     {
-      std::array<dealii::Tensor<1, 3>, 2> undeformed, change;
-      std::array<dealii::Tensor<2, 3>, 2> axes;
-
-      Directors(const Pair                      &pair,
-                const unsigned int               end,
-                const MixedElement::NodalVector &V);
+      unsigned int       vertex;
+      MixedElement::Part part;
+      /** The position in JointAngle::Vectors, and the derivative of that vector
+       * in space by the one in space. */
+      unsigned int vector;
+      double       sign;
     };
+
+    /** The unknowns on which the angle at an end depends. */
+    static std::array<Unknown, 4>
+    unknowns(const unsigned int end);
+
+    /** The vectors at an end of a pair in the undeformed shell. */
+    static JointAngle::Vectors
+    undeformed(const Pair &pair, const unsigned int end);
+
+    /** The changes of the vectors at an end of a pair, in space. */
+    static JointAngle::Vectors
+    change(const Pair                      &pair,
+           const unsigned int               end,
+           const MixedElement::NodalVector &V);
 
     const ShellMesh  &mesh;
     std::vector<Pair> pairs;

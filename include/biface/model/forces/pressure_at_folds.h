@@ -8,20 +8,19 @@
 
 #include <biface/element/follower_pressure.h>
 #include <biface/model/forces/force_term.h>
+#include <biface/model/forces/gaps_at_folds.h>
 #include <biface/model/forces/pressure_load.h>
 #include <biface/model/mesh/shell_mesh.h>
 
 namespace Biface
 {
-  /** The forces of a follower pressure on the gaps between the faces of parts
-   * that meet at folds, and at the corners between three folds or more: with
-   * them, the pressure in a closed shell has neither a resultant force nor a
-   * resultant moment, and its derivative is symmetric. */
+  /** The forces of a follower pressure on the gaps at folds, see GapAtFold:
+   * with them, the pressure in a closed shell has neither a resultant force nor
+   * a resultant moment, and its derivative is symmetric. */
   class PressureAtFolds : public ForceTerm
   {
   public:
-    /** The mesh is kept by reference. Throws InputError like
-     * PressureLoad::values(). */
+    /** Throws InputError like PressureLoad::values(). */
     PressureAtFolds(const ShellMesh &mesh, const PressureLoad &pressure);
 
     std::vector<const Cell *>
@@ -39,30 +38,14 @@ namespace Biface
     is_symmetric(const Loads &loads) const override;
 
   private:
-    /** A gap: a strip between four nodes, or a triangle between the first three
-     * vertices, whose fourth one has no part in it. */
-    struct Gap
-    {
-      Cell                  element;
-      bool                  is_triangle;
-      std::array<double, 4> distribution;
-    };
-
     /** The forces of a unit pressure on a deformed gap. */
     FollowerPressure
     unit_pressure(const CellState &at) const;
 
-    /** Move the forces at the fourth vertex of a triangle to the third one. */
-    static MixedElement::NodalVector
-    force_on(const Gap &gap, const FollowerPressure &pressure);
-
-    void
-    add_gap(const ShellMesh                 &mesh,
-            const std::vector<double>       &distribution,
-            const std::vector<unsigned int> &vertices);
-
-    const Resultants::Face face;
-    std::vector<Gap>       gaps;
+    const Resultants::Face       face;
+    const std::vector<GapAtFold> gaps;
+    /** The distribution of the pressure at the vertices of the gaps. */
+    std::vector<std::array<double, 4>> distribution;
   };
 } // namespace Biface
 

@@ -10,9 +10,6 @@
 
 namespace Biface
 {
-  struct Cell;
-  class ShellMesh;
-
   /** A side of a mesh from a file at which parts of the shell meet at an angle
    * or a hinge, see QuadrilateralMesh::Fold. Each part has nodes of its own,
    * whose points on the reference surface have the same displacements. */
@@ -36,20 +33,13 @@ namespace Biface
     std::vector<Part> parts;
     /** Unit: length. */
     double length;
-    /** See QuadrilateralMesh::Fold. */
+    /** The moment per length and angle between the parts; infinite if they are
+     * joined rigidly, zero at a hinge. Unit: force. */
     double stiffness;
-    /** See QuadrilateralMesh::Fold. */
+    /** Pairs of positions in @p parts whose inner, or outer, faces bound one
+     * wedge between them, see QuadrilateralMesh::Fold. */
     std::array<std::vector<std::array<unsigned int, 2>>, 2> wedges;
   };
-
-
-  /** An element without a stiffness between four nodes of this rank, which need
-   * not belong to a cell; its faces are those of the wall at the nodes, and its
-   * geometry consists of the vertices and of the faces for
-   * FollowerPressure. */
-  Cell
-  element_between(const ShellMesh                   &mesh,
-                  const std::array<unsigned int, 4> &nodes);
 } // namespace Biface
 
 #endif

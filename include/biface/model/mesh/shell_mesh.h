@@ -291,6 +291,15 @@ namespace Biface
      * positions of the nodes of their parts, see QuadrilateralMesh::corners. */
     std::array<std::vector<std::vector<unsigned int>>, 2> corners;
 
+    /** The nodes at sides of a mesh from a file where the inner, or outer, face
+     * ends, except in planes of symmetry: positions in @p nodes. */
+    std::array<std::vector<unsigned int>, 2> ends_of_faces;
+
+    /** The coordinates x, y and z of all nodes in planes of symmetry of a mesh
+     * from a file that are normal to them; the same on all ranks. Unit:
+     * length. */
+    std::array<std::vector<double>, 3> symmetry_planes;
+
     dealii::IndexSet locally_owned;
 
     /** The displacements of the stress-free shell from the surface, readable

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <biface/element/quadrilateral_geometry.h>
-#include <biface/model/mesh/fold_side.h>
+#include <biface/model/mesh/element_between.h>
 #include <biface/model/mesh/shell_mesh.h>
 
 namespace Biface
