@@ -76,7 +76,7 @@ thickness is 7 % softer, as a crumpled plate is. The mesh itself is the surface:
 $`\\theta`$, the chords are shorter than the arcs by $`\\theta^2/24`$.
 
 A sealed gas needs a cavity that is closed by the shell, by planes of symmetry, or by edges that are held (then its
-volume must be given). What needs coordinates is refused in one sentence before the first step: rolling and heat, end
+volume must be given). All of the shell bounds this one cavity: partitions and fins are refused, and parts that are apart share the gas. What needs coordinates is refused in one sentence before the first step: rolling and heat, end
 plates, multigrid and coarse meshes, and plies and imperfections by alpha_1 and alpha_2. Layers, rubber, cords that go slack and
 relaxation are those of other shells. Derivatives of the length, width and area of the footprint are refused, too, since these jump by
 half a cell with a node.

@@ -31,12 +31,16 @@ namespace Biface
     }
 
 
-    /** Add those of the missing strains that leave no resultants for them. */
+    /** Add those of the missing strains that leave no resultants for them,
+     * with the thickness strain that keeps the resultant of the thickness. */
     void
-    release(const std::vector<Resultants::Vector> &missing,
-            const Resultants::Matrix              &stiffness,
-            Resultants::Vector                    &strain)
+    release(std::vector<Resultants::Vector> missing,
+            const Resultants::Matrix       &stiffness,
+            Resultants::Vector             &strain)
     {
+      Resultants::Vector thickness;
+      thickness[Resultants::thickness] = 1;
+      missing.push_back(thickness);
       const unsigned int n = missing.size();
       FullMatrix<double> of_missing(n);
       Vector<double>     right_side(n), amounts(n);
@@ -47,6 +51,7 @@ namespace Biface
             of_missing(g, f) = missing[g] * H;
           right_side[f] = -(missing[f] * (stiffness * strain));
         }
+      right_side[n - 1] = 0;
       of_missing.gauss_jordan();
       of_missing.vmult(amounts, right_side);
       for (unsigned int f = 0; f < n; ++f)

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+
 #include <biface/laminate/laminate.h>
 #include <biface/laminate/stiffness_along.h>
 
@@ -39,6 +44,30 @@ namespace Biface
                                strains[p][Resultants::tangential(i, p)];
       }
     return stiffness;
+  }
+
+
+  bool
+  is_isotropic(const Laminate &laminate)
+  {
+    // the tensor of fourth order is isotropic if these directions are the same
+    const StiffnessOfFaces first =
+      stiffness_along(laminate, Tensor<1, 2>({1, 0}));
+    double scale = 0, difference = 0;
+    for (const double angle : {30., 60., 90., 120., 150.})
+      {
+        const double           phi   = angle * numbers::PI / 180;
+        const StiffnessOfFaces other = stiffness_along(
+          laminate, Tensor<1, 2>({std::cos(phi), std::sin(phi)}));
+        for (unsigned int p = 0; p < 2; ++p)
+          for (unsigned int q = 0; q < 2; ++q)
+            {
+              scale = std::max(scale, std::abs(first[p][q]));
+              difference =
+                std::max(difference, std::abs(other[p][q] - first[p][q]));
+            }
+      }
+    return difference < 1e-6 * scale;
   }
 
 

@@ -590,10 +590,8 @@ namespace Biface
             std::vector<Tensor<1, 3>> inward, normals;
             for (const RawFold::Part &part : raw_fold.cells)
               {
-                unsigned int f = 0;
-                while (mesh.side(part.cell, f) != part.side)
-                  ++f;
-                fold.cells.push_back({part.cell, f});
+                fold.cells.push_back(
+                  {part.cell, side_at(part.cell, part.side[0], 0)});
                 const Tensor<1, 3> along =
                   mesh.nodes[part.side[1]] - mesh.nodes[part.side[0]];
                 inward.push_back(cross_product_3d(normal_of(part.cell), along));
@@ -647,10 +645,11 @@ namespace Biface
               const unsigned int node,
               const unsigned int end) const
       {
-        unsigned int f = 0;
-        while (mesh.side(cell, f)[end] != node)
-          ++f;
-        return f;
+        // one of four
+        for (unsigned int f = 0; f < 3; ++f)
+          if (mesh.side(cell, f)[end] == node)
+            return f;
+        return 3;
       }
 
       /** Walk counterclockwise around a node, over the faces that bound one

@@ -21,6 +21,10 @@ namespace Biface
   stiffness_along(const Laminate             &laminate,
                   const dealii::Tensor<1, 2> &direction);
 
+  /** Whether stiffness_along() is the same in all directions. */
+  bool
+  is_isotropic(const Laminate &laminate);
+
   /** The bending stiffness for a curvature along a direction: the moment per
    * length of a plane section about the height at which it turns without a
    * resultant force, for the unit curvature. Unit: force times length. */

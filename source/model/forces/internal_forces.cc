@@ -10,6 +10,7 @@
 #include <biface/element/recovered_strains.h>
 #include <biface/input/formula.h>
 #include <biface/laminate/layup.h>
+#include <biface/laminate/stiffness_along.h>
 #include <biface/model/forces/internal_forces.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/model/state/loads.h>
@@ -495,13 +496,14 @@ namespace Biface
     const Cell           &cell  = mesh.cells[c];
     const NonlinearPlies &plies = nonlinear_plies(cell);
     const Modes::Vector   E     = total_strains(state, c);
-    auto result = plies.strains_at_vertices(E, history(state, c));
+    auto            result   = plies.strains_at_vertices(E, history(state, c));
+    const Laminate &laminate = mesh.strips[cell.strip].laminate;
     // nonlinear laws have the strains of the energy
     if (const CellTangents *tangents = cell.geometry.tangents();
-        tangents && plies.all_linear())
+        tangents && plies.all_linear() && is_isotropic(laminate))
       {
-        const auto recovered = recovered_strains(
-          *tangents, E, mesh.strips[cell.strip].laminate.stiffness());
+        const auto recovered =
+          recovered_strains(*tangents, E, laminate.stiffness());
         for (unsigned int v = 0; v < 4; ++v)
           result[v].E = recovered[v];
       }
