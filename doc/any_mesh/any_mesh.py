@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Callable
 
 import numpy as np
+from scipy.integrate import solve_bvp
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from example_page import biface, parse_arguments, table
@@ -115,6 +116,14 @@ NAFEMS LE5, a cantilever of Z section in torsion: the axial stress at point A, -
 0.0306 without transverse shear (Vlasov):
 
 {z_section}
+
+A nozzle of radius 100 and height 200 mm in a spherical head of radius 500 mm, as in
+[nozzle.prm](../prm/nozzle.prm), under the pressure 1 MPa: the joint moves outward by u_r and along the axis by u_z (mm), and
+the hoop stress there in the middle of the nozzle's wall (MPa). Theory is that of thin shells with transverse shear,
+solved as a boundary value problem by SciPy, with the pressure on the inner faces and on the gap between them at the joint, which pushes
+it outward by the thickness over two:
+
+{nozzle}
 
 ## A hole in an orthotropic plate
 
@@ -466,6 +475,96 @@ def z_section_table(runner):
     return table(["cells", "stress at A, MPa", "rotation"], rows)
 
 
+def nozzle_by_theory(head, nozzle, height, thickness, cover, young=210000, poisson=0.3):
+    """Displacements of the joint and hoop stress in the nozzle there: the theory of thin
+    shells of revolution for the unknowns u_r, u_z, rotation, and radial force, axial force
+    and moment times the radius, from the joint up the nozzle and down the head."""
+    opening = np.arcsin(nozzle / head)
+    lengths = height, head * (np.pi / 2 - opening)
+    plane = young * thickness / (1 - poisson**2)
+    bending = plane * thickness**2 / 12
+    shear = 5 / 6 * young / 2 / (1 + poisson) * thickness
+
+    def place(part, x):
+        """Radius, slope of the meridian, side of the normal, and pressure on the middle."""
+        if part == 0:
+            return nozzle + 0 * x, np.pi / 2 + 0 * x, -1, 1 - thickness / 2 / nozzle
+        angle = opening + x * (np.pi / 2 - opening)
+        return head * np.sin(angle), -angle, 1, (1 - thickness / 2 / head)**2
+
+    def around(part, x, y):
+        """The resultants along the meridian and around the axis."""
+        radius, slope, _, _ = place(part, x)
+        along = (y[3] * np.cos(slope) + y[4] * np.sin(slope)) / radius
+        return along, plane * (1 - poisson**2) * y[0] / radius + poisson * along
+
+    def rates(part, x, y):
+        radius, slope, outward, pressure = place(part, x)
+        c, s = np.cos(slope), np.sin(slope)
+        along, hoop = around(part, x, y)
+        across = (y[4] * c - y[3] * s) / radius
+        stretch = along / plane - poisson * y[0] / radius
+        turn = y[2] + across / shear
+        twist = y[2] * c / radius
+        moment = y[5] / radius
+        hoop_moment = bending * (1 - poisson**2) * twist + poisson * moment
+        return lengths[part] * np.array([
+            stretch * c - turn * s, stretch * s + turn * c, moment / bending - poisson * twist,
+            hoop + radius * outward * pressure * s, -radius * outward * pressure * c,
+            hoop_moment * c - radius * across])
+
+    gap = ((nozzle - thickness / 4 * (1 + np.sin(opening))) * thickness / 2
+           * np.array([np.cos(opening), 1 - np.sin(opening), 0]))
+
+    def ends(a, b):
+        return np.concatenate([a[:3] - a[6:9], a[3:6] + a[9:] + gap,
+                               [b[3], b[4] - cover * nozzle, b[5]], b[7:10]])
+
+    x = np.linspace(0, 1, 400)**2
+    y = solve_bvp(lambda x, y: np.vstack([rates(0, x, y[:6]), rates(1, x, y[6:])]), ends,
+                  x, np.zeros((12, x.size)), tol=1e-6, max_nodes=20000).sol(0.)
+    return y[0], y[1], float(around(0, np.array(0.), y)[1]) / thickness
+
+
+def nozzle_table(runner):
+    head, radius, height = 500, 100, 200
+    opening = np.arcsin(radius / head)
+
+    def graded(x):
+        return (np.exp(2 * x) - 1) / (np.exp(2) - 1)
+
+    def wall(u, v):
+        return (radius * np.cos(np.pi / 2 * u), radius * np.sin(np.pi / 2 * u),
+                np.sqrt(head**2 - radius**2) + height * graded(v))
+
+    def dome(u, v):
+        angle = opening + (np.pi / 2 - opening) * graded(1 - v)
+        return (head * np.sin(angle) * np.cos(np.pi / 2 * u),
+                head * np.sin(angle) * np.sin(np.pi / 2 * u), head * np.cos(angle))
+
+    top = np.sqrt(head**2 - radius**2) + height
+    rows = []
+    for thickness in (10, 5):
+        cover = (radius - thickness / 2)**2 / 2 / radius
+        for k in (1, 2):
+            mesh = joined([(wall, 16 * k, 15 * k), (dome, 16 * k, 30 * k)],
+                          {"y = 0": at(1, 0), "x = 0": at(0, 0), "equator": at(2, 0),
+                           "cover": at(2, top)}, {"joint": wall(0., 0.)})
+            results = run_joined(
+                runner, f"nozzle_{thickness}_{k}", mesh, 210000, 0.3, thickness,
+                {"Surface/Mesh/Direction": "-y; x; 0",
+                 "Supports/Edge supports": "y = 0: symmetry y, x = 0: symmetry x, "
+                                           "equator: symmetry z",
+                 "Stage 1/Pressure": 1, "Loads/Edge forces": f"cover: 0 0 {cover}"})
+            rows.append([str(thickness), f"{16 * k} × ({15 * k} + {30 * k})",
+                         f"{displacement(results, 'joint', 'u_x'):.5f}",
+                         f"{displacement(results, 'joint', 'u_z'):.5f}",
+                         f"{results.plies().where(name='joint', fraction=0.5)['s_11'][0]:.2f}"])
+        u_r, u_z, hoop = nozzle_by_theory(head, radius, height, thickness, cover)
+        rows.append([str(thickness), "theory", f"{u_r:.5f}", f"{u_z:.5f}", f"{hoop:.2f}"])
+    return table(["thickness", "cells in a quarter", "u_r", "u_z", "hoop stress"], rows)
+
+
 def hole_table(arguments):
     results = biface.run(Path(__file__).resolve().parents[2] / "prm/plate_with_hole.prm",
                          {"Output/Write VTU": False}, arguments.scratch / "hole",
@@ -483,7 +582,7 @@ def main():
     (arguments.output / "any_mesh.md").write_text(PAGE.format(
         linear=linear_table(runner), nonlinear=nonlinear_table(runner),
         folded_strip=folded_strip_table(runner), torsion=torsion_of_tube(runner),
-        z_section=z_section_table(runner), hole=hole_table(arguments)))
+        z_section=z_section_table(runner), nozzle=nozzle_table(runner), hole=hole_table(arguments)))
 
 
 if __name__ == "__main__":
