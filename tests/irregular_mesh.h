@@ -69,6 +69,26 @@ hemisphere(const double u, const double v)
 }
 
 
+/** Nodes and elements, each as its kind, tags and nodes, in Gmsh's format. */
+inline std::string
+gmsh_text(const std::vector<dealii::Point<3>> &nodes,
+          const std::vector<std::string>      &elements,
+          const unsigned int                   precision = 6)
+{
+  std::ostringstream text;
+  text.precision(precision);
+  text << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n"
+       << nodes.size() << '\n';
+  for (unsigned int i = 0; i < nodes.size(); ++i)
+    text << i + 1 << ' ' << nodes[i] << '\n';
+  text << "$EndNodes\n$Elements\n" << elements.size() << '\n';
+  for (unsigned int i = 0; i < elements.size(); ++i)
+    text << i + 1 << ' ' << elements[i] << '\n';
+  text << "$EndElements\n";
+  return text.str();
+}
+
+
 /** The mesh in Gmsh's format. */
 inline std::string
 gmsh_text(const IrregularMesh &mesh)

@@ -9,20 +9,19 @@ namespace Biface
 {
   using namespace dealii;
 
+  Tensor<2, 3>
+  in_columns(const SurfacePoint &point)
+  {
+    Tensor<2, 3> axes;
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = 0; j < 3; ++j)
+        axes[i][j] = point.frame[j][i];
+    return axes;
+  }
+
+
   namespace
   {
-    /** The vectors of a frame in the columns of a matrix. */
-    Tensor<2, 3>
-    in_columns(const SurfacePoint &point)
-    {
-      Tensor<2, 3> axes;
-      for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int j = 0; j < 3; ++j)
-          axes[i][j] = point.frame[j][i];
-      return axes;
-    }
-
-
     Tensor<1, 3>
     face_position(const QuadrilateralPoints &points,
                   const unsigned int         q,

@@ -374,17 +374,6 @@ namespace Biface
           add_free_sides(mesh.groups[group], nodes);
       }
 
-      /** The cells around each node. */
-      std::vector<std::vector<unsigned int>>
-      cells_around() const
-      {
-        std::vector<std::vector<unsigned int>> around(mesh.nodes.size());
-        for (unsigned int c = 0; c < mesh.cells.size(); ++c)
-          for (const unsigned int node : mesh.cells[c])
-            around[node].push_back(c);
-        return around;
-      }
-
       /** Sort the cells around each node into parts that are connected by sides
        * at the node.
        * @param connected whether two cells at a side are.
@@ -491,8 +480,7 @@ namespace Biface
             return is_smooth(side, one, two);
           });
         const unsigned int n_nodes = mesh.nodes.size();
-        // by the node of the file and the part
-        std::vector<std::vector<unsigned int>> copies(n_nodes);
+        copies.resize(n_nodes);
         for (unsigned int n = 0; n < n_nodes; ++n)
           copies[n].push_back(n);
         std::vector<std::array<unsigned int, 4>> of_file = mesh.cells;
@@ -569,8 +557,6 @@ namespace Biface
                                nodes_of_groups[g].end());
             std::sort(group.sides.begin(), group.sides.end());
           }
-        copies_of_nodes = copies;
-
         for (unsigned int c = 0; c < mesh.cells.size(); ++c)
           for (unsigned int v = 0; v < 4; ++v)
             mesh.cells[c][v] = copies[of_file[c][v]][parts[c][v]];
@@ -578,6 +564,7 @@ namespace Biface
           if (joint.size() > 1)
             mesh.joints.push_back(joint);
       }
+
       /** Set the folds, whose cells have their final order now. */
       void
       complete_folds()
@@ -807,7 +794,7 @@ namespace Biface
       {
         std::map<unsigned int, unsigned int> original;
         for (const unsigned int node : set_of_nodes)
-          for (const unsigned int copy : copies_of_nodes[node])
+          for (const unsigned int copy : copies[node])
             original[copy] = node;
         std::set<unsigned int> all, on_sides;
         for (const CellSide &free_side : mesh.free_sides)
@@ -873,7 +860,7 @@ namespace Biface
        * file. */
       std::map<Side, double> joint_of_side;
       /** The nodes of each part at each node of the file, itself first. */
-      std::vector<std::vector<unsigned int>> copies_of_nodes;
+      std::vector<std::vector<unsigned int>> copies;
       /** The nodes of sets of nodes, by the group. */
       std::map<unsigned int, std::set<unsigned int>> sets_of_nodes;
       /** The number of each node of the file in the mesh; invalid for those of

@@ -52,8 +52,7 @@ namespace
     };
     std::vector<Point<3>>                       nodes;
     std::map<std::array<long, 3>, unsigned int> known;
-    std::ostringstream                          cells;
-    unsigned int                                n_cells = 0;
+    std::vector<std::string>                    cells;
     for (unsigned int s = 0; s < 6; ++s)
       {
         // nodes of edges stay where they are, so that sides meet
@@ -74,19 +73,12 @@ namespace
         };
         for (unsigned int j = 0; j < n; ++j)
           for (unsigned int i = 0; i < n; ++i)
-            cells << ++n_cells << " 3 0 " << number(i, j) << ' '
-                  << number(i + 1, j) << ' ' << number(i + 1, j + 1) << ' '
-                  << number(i, j + 1) << '\n';
+            cells.push_back("3 0 " + std::to_string(number(i, j)) + ' ' +
+                            std::to_string(number(i + 1, j)) + ' ' +
+                            std::to_string(number(i + 1, j + 1)) + ' ' +
+                            std::to_string(number(i, j + 1)));
       }
-    std::ofstream file("box.msh");
-    file.precision(17);
-    file << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n"
-         << nodes.size() << '\n';
-    for (unsigned int i = 0; i < nodes.size(); ++i)
-      file << i + 1 << ' ' << nodes[i] << '\n';
-    file << "$EndNodes\n$Elements\n"
-         << n_cells << '\n'
-         << cells.str() << "$EndElements\n";
+    std::ofstream("box.msh") << gmsh_text(nodes, cells, 17);
   }
 
 

@@ -5,12 +5,11 @@
 // on, three at the corners of a box. Gaps between faces that bound one wedge
 // are known, and hinges separate smooth surfaces, too.
 
-#include <sstream>
-
 #include <biface/base/errors.h>
 #include <biface/surface/mesh_file.h>
 #include <biface/surface/quadrilateral_mesh.h>
 
+#include "../irregular_mesh.h"
 #include "../tests.h"
 
 using namespace dealii;
@@ -18,23 +17,6 @@ using namespace Biface;
 
 namespace
 {
-  std::string
-  text_of(const std::vector<Point<3>>    &nodes,
-          const std::vector<std::string> &elements)
-  {
-    std::ostringstream text;
-    text << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n"
-         << nodes.size() << '\n';
-    for (unsigned int i = 0; i < nodes.size(); ++i)
-      text << i + 1 << ' ' << nodes[i] << '\n';
-    text << "$EndNodes\n$Elements\n" << elements.size() << '\n';
-    for (unsigned int i = 0; i < elements.size(); ++i)
-      text << i + 1 << ' ' << elements[i] << '\n';
-    text << "$EndElements\n";
-    return text.str();
-  }
-
-
   void
   print(const std::string &name,
         const std::string &text,
@@ -98,34 +80,35 @@ main()
   const std::string line = "1 2 1 1 2 3";
 
   // along the x axis, then up: on the inner side the faces are apart
-  print("fold", text_of(nodes, {one, web, line}));
-  print("fold of the other orientation", text_of(nodes, {"3 0 4 3 2 1", web}));
+  print("fold", gmsh_text(nodes, {one, web, line}));
+  print("fold of the other orientation",
+        gmsh_text(nodes, {"3 0 4 3 2 1", web}));
   print("smooth with a larger angle",
-        text_of({a, b, c, d, {1.8, 0, .6}, {1.8, 1, .6}}, {one, two}),
+        gmsh_text({a, b, c, d, {1.8, 0, .6}, {1.8, 1, .6}}, {one, two}),
         "",
         40);
-  print("web on a flange", text_of(nodes, {one, two, web, line}));
+  print("web on a flange", gmsh_text(nodes, {one, two, web, line}));
   print("web on a flange, outer face first",
-        text_of(nodes, {"3 0 4 3 2 1", two, web}));
+        gmsh_text(nodes, {"3 0 4 3 2 1", two, web}));
   print("box",
-        text_of({a, b, c, d, i, g, h, j},
-                {"3 0 1 4 3 2",
-                 "3 0 5 6 7 8",
-                 "3 0 1 2 6 5",
-                 "3 0 2 3 7 6",
-                 "3 0 3 4 8 7",
-                 "3 0 4 1 5 8"}));
-  print("hinge", text_of(nodes, {one, two, line}), "1: hinge");
-  print("hinge of a web", text_of(nodes, {one, two, web, line}), "1: hinge");
-  print("spring", text_of(nodes, {one, web, line}), "1: 2.5");
+        gmsh_text({a, b, c, d, i, g, h, j},
+                  {"3 0 1 4 3 2",
+                   "3 0 5 6 7 8",
+                   "3 0 1 2 6 5",
+                   "3 0 2 3 7 6",
+                   "3 0 3 4 8 7",
+                   "3 0 4 1 5 8"}));
+  print("hinge", gmsh_text(nodes, {one, two, line}), "1: hinge");
+  print("hinge of a web", gmsh_text(nodes, {one, two, web, line}), "1: hinge");
+  print("spring", gmsh_text(nodes, {one, web, line}), "1: 2.5");
 
-  print("spring in a plane", text_of(nodes, {one, two, line}), "1: 2.5");
-  print("spring at an edge", text_of(nodes, {one, "1 2 1 1 1 2"}), "1: 2.5");
-  print("no lines", text_of(nodes, {one, two}), "1: hinge");
+  print("spring in a plane", gmsh_text(nodes, {one, two, line}), "1: 2.5");
+  print("spring at an edge", gmsh_text(nodes, {one, "1 2 1 1 1 2"}), "1: 2.5");
+  print("no lines", gmsh_text(nodes, {one, two}), "1: hinge");
   print(
     "on each other",
-    text_of({a, b, c, d, {0, 0, 1e-4}, {0, 1, 1e-4}}, {one, "3 0 2 5 6 3"}));
+    gmsh_text({a, b, c, d, {0, 0, 1e-4}, {0, 1, 1e-4}}, {one, "3 0 2 5 6 3"}));
   for (const std::string joint :
        {"1", "1: stiff", "1: 0", "1: -2", "1: nan", "1: hinge, 1: rigid"})
-    print(joint, text_of(nodes, {one, two, line}), joint);
+    print(joint, gmsh_text(nodes, {one, two, line}), joint);
 }

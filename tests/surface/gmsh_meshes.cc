@@ -58,22 +58,6 @@ namespace
         std::cout << error.what() << std::endl;
       }
   }
-
-
-  std::string
-  cells_of(const std::vector<Point<3>>    &nodes,
-           const std::vector<std::string> &elements)
-  {
-    std::ostringstream text;
-    text << head << "$Nodes\n" << nodes.size() << '\n';
-    for (unsigned int i = 0; i < nodes.size(); ++i)
-      text << i + 1 << ' ' << nodes[i] << '\n';
-    text << "$EndNodes\n$Elements\n" << elements.size() << '\n';
-    for (unsigned int i = 0; i < elements.size(); ++i)
-      text << i + 1 << ' ' << elements[i] << '\n';
-    text << "$EndElements\n";
-    return text.str();
-  }
 } // namespace
 
 
@@ -96,15 +80,15 @@ main()
                    "m.msh",
                    20));
   print("second order",
-        parse_mesh(cells_of({{0, 0, 0},
-                             {1, 0, 0},
-                             {1, 1, 0},
-                             {0, 1, 0},
-                             {.5, 0, 0},
-                             {1, .5, 0},
-                             {.5, 1, 0},
-                             {0, .5, 0}},
-                            {"16 0 1 2 3 4 5 6 7 8"}),
+        parse_mesh(gmsh_text({{0, 0, 0},
+                              {1, 0, 0},
+                              {1, 1, 0},
+                              {0, 1, 0},
+                              {.5, 0, 0},
+                              {1, .5, 0},
+                              {.5, 1, 0},
+                              {0, .5, 0}},
+                             {"16 0 1 2 3 4 5 6 7 8"}),
                    "m.msh",
                    20));
 
@@ -112,7 +96,7 @@ main()
   print(
     "repeated",
     parse_mesh(
-      cells_of(
+      gmsh_text(
         {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
         {"1 2 7 1 1 2", "1 2 7 1 2 1", "3 2 1 1 1 2 3 4", "3 2 2 1 1 2 3 4"}),
       "m.msh",
@@ -139,18 +123,18 @@ main()
   refuse(head + "$Nodes\n2\n1 0 0 0\n1 0 0 1\n$EndNodes\n");
   refuse(head + "$Nodes\n1\n1 0 nan 0\n$EndNodes\n");
   refuse(head + "$Nodes\n1\n1 0 0\n$EndNodes\n");
-  refuse(cells_of({a, b, c, d}, {}));
-  refuse(cells_of({a, b, c, d}, {"3 0 1 2 3 5"}));
-  refuse(cells_of({a, b, c, d}, {"2 0 1 2 3"}));
-  refuse(cells_of({a, b, c, d}, {"4 0 1 2 3 4"}));
-  refuse(cells_of({a, b, c, d}, {"3 0 1 2 2 4"}));
-  refuse(cells_of({a, b, Point<3>(.2, .2, 0), d}, {"3 0 1 2 3 4"}));
-  refuse(cells_of({a, b, d, c}, {"3 0 1 2 3 4"}));
-  refuse(cells_of({a, b, c, d, {2, 0, 0}, {2, 1, 0}},
-                  {"3 0 1 2 3 4", "3 0 1 2 3 4"}));
+  refuse(gmsh_text({a, b, c, d}, {}));
+  refuse(gmsh_text({a, b, c, d}, {"3 0 1 2 3 5"}));
+  refuse(gmsh_text({a, b, c, d}, {"2 0 1 2 3"}));
+  refuse(gmsh_text({a, b, c, d}, {"4 0 1 2 3 4"}));
+  refuse(gmsh_text({a, b, c, d}, {"3 0 1 2 2 4"}));
+  refuse(gmsh_text({a, b, Point<3>(.2, .2, 0), d}, {"3 0 1 2 3 4"}));
+  refuse(gmsh_text({a, b, d, c}, {"3 0 1 2 3 4"}));
+  refuse(gmsh_text({a, b, c, d, {2, 0, 0}, {2, 1, 0}},
+                   {"3 0 1 2 3 4", "3 0 1 2 3 4"}));
   // an open seam
-  refuse(cells_of({a, b, c, d, b, {2, 0, 0}, {2, 1, 0}, c},
-                  {"3 0 1 2 3 4", "3 0 5 6 7 8"}));
+  refuse(gmsh_text({a, b, c, d, b, {2, 0, 0}, {2, 1, 0}, c},
+                   {"3 0 1 2 3 4", "3 0 5 6 7 8"}));
   // a band of Moebius
   {
     const unsigned int       n = 40;
@@ -172,13 +156,13 @@ main()
           "3 0 " + std::to_string(p) + ' ' + std::to_string(last ? q + 1 : q) +
           ' ' + std::to_string(last ? q : q + 1) + ' ' + std::to_string(p + 1));
       }
-    refuse(cells_of(nodes, elements));
+    refuse(gmsh_text(nodes, elements));
   }
   // counts that do not fit, and parts that meet in a node
   refuse(head + "$Nodes\n1\n1 0 0 0\n2 1 0 0\n$EndNodes\n");
   refuse(head + "$PartitionedEntities\n$EndPartitionedEntities\n");
-  refuse(cells_of({a, b, c, d, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}},
-                  {"3 0 1 2 3 4", "3 0 3 5 6 7"}));
+  refuse(gmsh_text({a, b, c, d, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}},
+                   {"3 0 1 2 3 4", "3 0 3 5 6 7"}));
   // a line that is no side
-  refuse(cells_of({a, b, c, d}, {"3 0 1 2 3 4", "1 2 3 1 1 3"}));
+  refuse(gmsh_text({a, b, c, d}, {"3 0 1 2 3 4", "1 2 3 1 1 3"}));
 }

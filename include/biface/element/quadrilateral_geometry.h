@@ -30,6 +30,10 @@ namespace Biface
     double wall_thickness = 0;
   };
 
+  /** The vectors of the frame at a point in the columns of a matrix. */
+  dealii::Tensor<2, 3>
+  in_columns(const SurfacePoint &point);
+
   /** The strains of the cell; see ElementGeometry for sampling and thickness
    * strain. */
   std::shared_ptr<const Quadrilateral>

@@ -30,15 +30,15 @@ namespace Biface
    */
   struct QuadrilateralMesh
   {
-    /** The positions of the nodes of cells. Unit: length. */
+    /** The positions of the nodes of cells, those of further parts that meet at
+     * a fold after those of the file. Unit: length. */
     std::vector<dealii::Point<3>> nodes;
 
     /** The unit normals at the nodes, those of the cells around each, weighted
      * by their angles at the node. */
     std::vector<dealii::Tensor<1, 3>> normals;
 
-    /** The nodes of the cells in the order of deal.II, lexicographic. Nodes of
-     * parts that meet at a fold follow after those of the file. */
+    /** The nodes of the cells in the order of deal.II, lexicographic. */
     std::vector<std::array<unsigned int, 4>> cells;
 
     /** The numbers of the nodes and the cells in the file, for messages. */

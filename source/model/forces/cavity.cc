@@ -111,8 +111,8 @@ namespace Biface
     const double of_cells = flux(nullptr);
     // the faces of a mesh from a file are those of its cells
     double exact = (has_chart ? 0. : of_cells);
-    for (const Cell &cell : mesh.wall_elements())
-      if (has_chart)
+    if (has_chart)
+      for (const Cell &cell : mesh.wall_elements())
         exact += exact_flux(cell);
     // the faces of the cells give the changes of the volume, of which the
     // forces are the exact derivatives, and not the volume itself

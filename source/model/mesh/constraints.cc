@@ -412,18 +412,19 @@ namespace Biface
     for (const auto &joint : mesh.joints)
       for (unsigned int k = 0; k < joint.size(); ++k)
         joint_of[joint[k]] = {&joint, k};
+    // by the first node of a joint
+    const auto equations_at = [&](const unsigned int node) -> NodalEquations & {
+      return equations.try_emplace(node, mesh.nodes[node].n_parts())
+        .first->second;
+    };
     const auto add_equation = [&](const unsigned int     node,
                                   const SupportEquation &equation) {
-      const auto         joint = joint_of.find(node);
-      const unsigned int first =
-        (joint == joint_of.end() ? node : (*joint->second.first)[0]);
-      NodalEquations &at_node =
-        equations.try_emplace(first, mesh.nodes[node].n_parts()).first->second;
-      return at_node.add(joint == joint_of.end()
-                           ? equation
-                           : in_joint(equation,
-                                      joint->second.second,
-                                      joint->second.first->size()));
+      const auto joint = joint_of.find(node);
+      if (joint == joint_of.end())
+        return equations_at(node).add(equation);
+      const auto &[nodes, position] = joint->second;
+      return equations_at((*nodes)[0])
+        .add(in_joint(equation, position, nodes->size()));
     };
     // the second node of a cyclic pair has the displacements of the first,
     // which therefore obeys the supports of both
@@ -455,8 +456,7 @@ namespace Biface
     for (const auto &joint : mesh.joints)
       for (const SupportEquation &equation :
            equations_of_joint(joint, mesh, n_factors))
-        equations.try_emplace(joint[0], mesh.nodes[joint[0]].n_parts())
-          .first->second.add(equation);
+        equations_at(joint[0]).add(equation);
     for (const auto &item : supports.points)
       {
         check_components("Supports/Point supports", item.conditions, surface);
@@ -499,7 +499,7 @@ namespace Biface
     for (const auto &pair : first_of)
       {
         second_of[pair.second] = pair.first;
-        equations.try_emplace(pair.second, mesh.nodes[pair.second].n_parts());
+        equations_at(pair.second);
       }
     if (Utilities::MPI::logical_or(contradiction, mesh.communicator))
       throw InputError("the section 'Supports' prescribes contradictory "

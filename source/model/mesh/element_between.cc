@@ -28,9 +28,7 @@ namespace Biface
 
         ElementGeometry::Vertex &vertex = element.geometry.vertices[v];
         vertex.thickness = node.face_heights[1] - node.face_heights[0];
-        for (unsigned int i = 0; i < 3; ++i)
-          for (unsigned int j = 0; j < 3; ++j)
-            vertex.axes[i][j] = node.surface.frame[j][i];
+        vertex.axes      = in_columns(node.surface);
       }
     element.geometry.interpolation = Interpolation::Cartesian;
     element.geometry.along_lines   = false;

@@ -116,6 +116,30 @@ namespace Biface
     }
 
 
+    /** The mean of the normals at the nodes of a cell, a unit vector. */
+    Tensor<1, 3>
+    normal_of_cell(const QuadrilateralMesh         &mesh,
+                   const std::vector<Tensor<1, 3>> &normals,
+                   const unsigned int               cell)
+    {
+      Tensor<1, 3> normal;
+      for (const unsigned int node : mesh.cells[cell])
+        normal += normals[node];
+      return normal / normal.norm();
+    }
+
+
+    /** The directions of the plies in a cell, with its normal. */
+    std::array<Tensor<1, 3>, 3>
+    frame_of_cell(const MeshFile                  &file,
+                  const std::vector<Tensor<1, 3>> &normals,
+                  const unsigned int               cell)
+    {
+      return frame_along(normal_of_cell(*file.mesh, normals, cell),
+                         file.direction_at(file.mesh->center(cell)));
+    }
+
+
     /** Throw InputError unless plies have a direction in all cells. */
     void
     check_directions(const MeshFile &file, const Layup &layup)
@@ -124,10 +148,7 @@ namespace Biface
       for (unsigned int c = 0; c < mesh.cells.size(); ++c)
         {
           const Tensor<1, 3> direction = file.direction_at(mesh.center(c));
-          Tensor<1, 3>       normal;
-          for (const unsigned int node : mesh.cells[c])
-            normal += mesh.normals[node];
-          normal /= normal.norm();
+          const Tensor<1, 3> normal    = normal_of_cell(mesh, mesh.normals, c);
           if (!(direction.norm() > 0))
             throw InputError("the entry 'Surface/Mesh/Direction' is zero in " +
                              mesh.cell_in_words(c) +
@@ -643,14 +664,10 @@ namespace Biface
               }
           }
 
-        Tensor<1, 3> normal;
-        for (const unsigned int n : cell_nodes)
-          normal += nodes[n].surface.frame[2];
         QuadrilateralPoints points;
         for (unsigned int v = 0; v < 4; ++v)
           points.vertices[v] = nodes[cell_nodes[v]].surface;
-        points.direction = frame_along(
-          normal / normal.norm(), file.direction_at(mesh.center(number)))[0];
+        points.direction       = frame_of_cell(file, normals, number)[0];
         const unsigned int set = set_of_cells[number];
         points.wall_thickness  = strips[set].laminate.thickness();
 
@@ -699,12 +716,8 @@ namespace Biface
             for (unsigned int end = 0; end < 2; ++end)
               part.nodes[end] =
                 node_of_number.at(own[part.is_reversed ? 1 - end : end]);
-            part.strip = set_of_cells[at.cell];
-            Tensor<1, 3> normal;
-            for (const unsigned int n : mesh.cells[at.cell])
-              normal += normals[n];
-            const auto frame = frame_along(
-              normal / normal.norm(), file.direction_at(mesh.center(at.cell)));
+            part.strip       = set_of_cells[at.cell];
+            const auto frame = frame_of_cell(file, normals, at.cell);
             part.across = Tensor<1, 2>({along * frame[1], -(along * frame[0])});
             part.across /= part.across.norm();
             here.parts.push_back(part);

@@ -18,8 +18,8 @@ namespace Biface
    * against each other about the direction @f$\mathbf t@f$ of the line where
    * they meet, and its derivatives:
    * @f[
-   *   \vartheta = \Delta\arctan\frac{\mathbf t\cdot(\mathbf w_1\times\mathbf
-   * w_2)}
+   *   \vartheta = \Delta\arctan
+   *     \frac{\mathbf t\cdot(\mathbf w_1\times\mathbf w_2)}
    *     {|\mathbf t|\,\bigl(\mathbf w_1\cdot\mathbf w_2 -
    *      (\mathbf w_1\cdot\mathbf t)(\mathbf w_2\cdot\mathbf t)/t^2\bigr)} ,
    * @f]
