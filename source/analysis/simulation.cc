@@ -302,13 +302,23 @@ namespace Biface
 
     Newton newton(
       parameters.newton, equations, contact, *linear_solver, out, timer, stop);
-    BucklingAnalysis buckling_analysis(
+    const ContactInteraction no_contact(*mesh,
+                                        std::vector<ContactParameters>());
+    Newton                   newton_in_time(parameters.newton,
+                          equations,
+                          no_contact,
+                          *linear_solver,
+                          out,
+                          timer,
+                          stop);
+    BucklingAnalysis         buckling_analysis(
       equations, contact, *linear_solver, timer);
     LoadStepping       load_stepping(parameters.load_stepping,
                                equations,
                                contact,
                                model.heat.get(),
                                newton,
+                               newton_in_time,
                                predictor ? *predictor
                                      : nested  ? *nested
                                                : none,

@@ -159,6 +159,22 @@ namespace Biface
   }
 
 
+  MixedElement::MixedElement(const ElementGeometry &geometry,
+                             const NodalVector     &start,
+                             const NodalVector     &end)
+    : MixedElement(geometry, (start + end) / 2)
+  {
+    // x_1 y_1 - x_0 y_0 = the mean of x times the change of y, and conversely
+    if (with_normal_thickness())
+      {
+        const MixedElement at_start(geometry, start), at_end(geometry, end);
+        for (unsigned int g = 0; g < shear.size(); ++g)
+          for (unsigned int a = 0; a < 2; ++a)
+            shear[g][a] = (at_start.shear[g][a] + at_end.shear[g][a]) / 2;
+      }
+  }
+
+
   Modes::Vector
   MixedElement::strain() const
   {

@@ -2,11 +2,13 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <biface/input/parameter_tools.h>
 #include <biface/laminate/layup.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/time/inertia.h>
 #include <biface/output/csv.h>
 #include <biface/output/fiber_tension.h>
 #include <biface/output/history_file.h>
@@ -69,6 +71,52 @@ namespace Biface
           }
         return values;
       };
+      return group;
+    }
+
+
+    /** Empty fields but for the time in stages without inertia.
+     * @param with_time whether no other group has the time. */
+    HistoryGroup
+    group_of_motion(const bool with_time)
+    {
+      HistoryGroup group;
+      if (with_time)
+        group.columns.push_back("time");
+      for (const char *column : {"kinetic_energy",
+                                 "contact_energy",
+                                 "numerical_work",
+                                 "contact_work",
+                                 "energy_error",
+                                 "momentum_x",
+                                 "momentum_y",
+                                 "momentum_z",
+                                 "angular_momentum_x",
+                                 "angular_momentum_y",
+                                 "angular_momentum_z"})
+        group.columns.push_back(column);
+      group.values =
+        [with_time, n = group.columns.size()](const HistoryGroup::Step &step) {
+          std::vector<std::optional<double>> values;
+          const StepReport                  &report = step.report;
+          if (with_time)
+            values.emplace_back(report.level.time);
+          if (const auto &motion = report.motion)
+            {
+              for (const double value : {motion->kinetic,
+                                         motion->contact,
+                                         report.work.numerical,
+                                         report.work.contact,
+                                         report.work.unbalanced})
+                values.emplace_back(value);
+              for (const Tensor<1, 3> &momentum :
+                   {motion->momentum, motion->angular_momentum})
+                for (unsigned int i = 0; i < 3; ++i)
+                  values.emplace_back(momentum[i]);
+            }
+          values.resize(n);
+          return values;
+        };
       return group;
     }
   } // namespace
@@ -205,6 +253,12 @@ namespace Biface
                                   step.report.level.wheel_turn,
                                   step.report.level.inclination_angle};
                         }});
+    if (std::any_of(equations.get_terms().begin(),
+                    equations.get_terms().end(),
+                    [](const ForceTerm *term) {
+                      return term->other_body() == Inertia::body;
+                    }))
+      groups.push_back(group_of_motion(!mesh.get_layup().relaxes()));
     const TensionMembers members(mesh.get_layup());
     if (members.exist())
       {
@@ -221,7 +275,8 @@ namespace Biface
                           }});
       }
     for (const ForceTerm *term : equations.get_terms())
-      if (!term->other_body().empty())
+      if (term->source() == ForceTerm::Source::ground &&
+          !term->other_body().empty())
         groups.push_back(group_of_body(term->other_body()));
     return groups;
   }

@@ -24,8 +24,8 @@ namespace Biface
           throw InputError(section + "/" + entry,
                            value,
                            "it must be " + allowed +
-                             " directly after a stage with 'Damping', which "
-                             "does not end in equilibrium");
+                             " directly after a stage with 'Damping' or "
+                             "'Inertia', which does not end in equilibrium");
       };
       refuse(stage.from_prestress, "Start from prestress", "true", "'false'");
       refuse(stage.n_buckling > 0,
@@ -51,7 +51,7 @@ namespace Biface
         // forces of dashpots remain at the end of the stage before, and vanish
         // only in the first step of this one
         if (const auto before = stage_before(stages, i);
-            before && stages[*before].damping > 0)
+            before && (stages[*before].damping > 0 || stages[*before].inertia))
           check_start_from_damped(stage, section);
         if (stage.damping == 0)
           continue;

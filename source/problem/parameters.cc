@@ -176,6 +176,7 @@ namespace Biface
     check_bodies();
     check_gas();
     check_damping();
+    check_inertia();
     check_friction();
     for (unsigned int i = 0; i < stages.size(); ++i)
       stages[i].check_slide("Stage " + std::to_string(i + 1),
@@ -235,6 +236,7 @@ namespace Biface
                                 "loads",
                                 "prestress",
                                 "interpolation",
+                                "inertia",
                                 // a column of history.csv
                                 "recovered",
                                 "alpha_1 min",
@@ -282,7 +284,7 @@ namespace Biface
   {
     const auto stage =
       std::find_if(stages.begin(), stages.end(), [](const Stage &stage) {
-        return stage.n_modes > 0;
+        return stage.n_modes > 0 || stage.inertia;
       });
     // frequencies without a part of the mass would mean nothing
     if (stage == stages.end())
@@ -292,7 +294,9 @@ namespace Biface
         if (material.name == ply.material && material.density == 0)
           throw InputError("Material " + material.name + "/Density",
                            "0",
-                           "it must be positive for the 'Modes' of stage " +
+                           std::string("it must be positive for the ") +
+                             (stage->inertia ? "'Inertia'" : "'Modes'") +
+                             " of stage " +
                              std::to_string(stage - stages.begin() + 1));
   }
 

@@ -418,6 +418,12 @@ namespace Biface
       // stages of the test are stages like others, with load factors of their
       // own
       parameters.add_tire_test();
+      for (unsigned int i = 0; i < parameters.stages.size(); ++i)
+        {
+          Stage &stage = parameters.stages[i];
+          stage.StageMotion::complete(
+            "Stage " + std::to_string(i + 1), stage, stage);
+        }
       parameters.assign_load_factors();
       for (BodyParameters &body : parameters.bodies)
         body.read_files(communicator);

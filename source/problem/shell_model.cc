@@ -14,6 +14,7 @@
 #include <biface/model/forces/viscous_damping.h>
 #include <biface/model/mesh/named_points.h>
 #include <biface/model/mesh/plies_on_surface.h>
+#include <biface/model/time/inertia.h>
 #include <biface/problem/expected_cost.h>
 #include <biface/problem/shell_model.h>
 #include <biface/surface/imperfection.h>
@@ -73,6 +74,8 @@ namespace Biface
                       parameters.stages.end(),
                       [](const Stage &stage) { return stage.damping > 0; }))
         terms.push_back(std::make_unique<ViscousDamping>(mesh));
+      if (parameters.has_inertia())
+        terms.push_back(std::make_unique<Inertia>(mesh));
       return terms;
     }
   } // namespace

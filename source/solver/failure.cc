@@ -64,6 +64,9 @@ namespace Biface
           case FailureCause::heat:
             return "The losses in rolling and the temperatures that follow "
                    "from them, computed in turn, go on changing.";
+          case FailureCause::error_in_time:
+            return "The accelerations change faster than the steps that are "
+                   "allowed follow them.";
           case FailureCause::contact_cycle:
             return "The same nodes enter and leave contact in turn, and "
                    "holding them in contact did not help.";
@@ -116,6 +119,9 @@ namespace Biface
           case FailureCause::other_solution:
           case FailureCause::heat:
             return smaller_steps(failure);
+          case FailureCause::error_in_time:
+            return "a larger 'Time error', 'Numerical damping', or more 'Step "
+                   "control/Maximum cuts'";
           case FailureCause::contact_cycle:
             return zone_edge(in_use) + "; " + smaller_steps(failure);
           case FailureCause::singular_tangent:

@@ -65,15 +65,15 @@ namespace Biface
     const auto       add_field = [&](const LA::Vector &displacement) {
       LA::Vector ghosted   = mesh.ghosted_vector();
       ghosted              = displacement;
-      LA::Vector   inertia = mass.inertia(ghosted);
-      const double square  = inertia * displacement;
-      mesh.condense(inertia);
+      LA::Vector   forces = inertia(mesh, ghosted);
+      const double square = forces * displacement;
+      mesh.condense(forces);
       if (translations.size() < 3)
-        translations.push_back(inertia);
+        translations.push_back(forces);
       // per unit of energy, so that all fields count alike
       if (square > 0)
-        inertia /= std::sqrt(square);
-      fields.push_back(inertia);
+        forces /= std::sqrt(square);
+      fields.push_back(forces);
     };
     for (const std::vector<double> &motion : rigid_motions(mesh))
       {

@@ -9,6 +9,7 @@
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/quantities/work.h>
 #include <biface/model/quantities/worst_strains.h>
+#include <biface/stepping/attempt_in_time.h>
 #include <biface/stepping/branch_switching.h>
 #include <biface/stepping/friction_continuation.h>
 #include <biface/stepping/load_stepping.h>
@@ -38,6 +39,7 @@ namespace Biface
                              const ContactInteraction &contact,
                              const RollingHeat        *heat,
                              Newton                   &newton,
+                             Newton                   &newton_in_time,
                              const NestedPredictor    &nested,
                              BucklingAnalysis         &buckling_analysis,
                              const StageAnalyses      &analyses,
@@ -47,6 +49,7 @@ namespace Biface
     , contact(contact)
     , heat(heat)
     , newton(newton)
+    , newton_in_time(newton_in_time)
     , nested(nested)
     , analyses(analyses)
     , critical_points(buckling_analysis, out)
@@ -323,6 +326,8 @@ namespace Biface
   LoadStepping::try_step(const StageRun &run, const Control::Trial &trial)
   {
     announce(run, trial, out);
+    if (run.stage.inertia)
+      return attempt_step_in_time(newton_in_time, run, trial);
     // each further attempt below answers another cause of divergence
     const NewtonIteration iteration = newton.parameters.iteration;
     const InitialGuess    guess     = predict(run, trial, true);
@@ -451,7 +456,8 @@ namespace Biface
                          result.iterations,
                          run.state,
                          attempt.state,
-                         attempt.to_branch});
+                         attempt.to_branch,
+                         attempt.error_in_time});
     // a step to another branch is no secant of the path
     if (attempt.to_branch)
       progress.predictor.reset();
@@ -465,7 +471,11 @@ namespace Biface
     // the direction in which arc length goes on, section 7 of doc/theory.md
     progress.last_change = owned_part(attempt.state.displacement);
     progress.last_change -= owned_part(run.state.displacement);
-    progress.reached  = attempt.level;
+    progress.reached = attempt.level;
+    // before terms forget the start of a step in time
+    const auto step      = attempt.state.step;
+    const auto over_step = (step ? forces_over_step(run, attempt) : nullptr);
+    attempt.state.step.reset();
     const Loads loads = equations.with_dependent_loads(
       attempt.state, run.loads_at(attempt.level));
     // that of a sealed gas, from which a later stage may go on
@@ -483,16 +493,25 @@ namespace Biface
                         time});
     equations.commit_step(run.state, loads, time, attempt.state);
 
-    // those at the end of a step are kept for the start of the next one
-    if (!forces)
-      forces = std::make_shared<const NodalForces>(
-        equations.nodal_forces(run.state, loads_before));
-    const auto now = std::make_shared<const NodalForces>(
-      equations.nodal_forces(attempt.state, loads));
-    progress.work += work_of_step(run.contact,
-                                  {run.state, loads_before, *forces},
-                                  {attempt.state, loads, *now});
-    forces           = now;
+    if (step)
+      {
+        forces = over_step;
+        progress.work +=
+          end_step_in_time(run, step, loads, *forces, attempt.state);
+      }
+    else
+      {
+        // those at the end of a step are kept for the start of the next one
+        if (!forces)
+          forces = std::make_shared<const NodalForces>(
+            equations.nodal_forces(run.state, loads_before));
+        const auto now = std::make_shared<const NodalForces>(
+          equations.nodal_forces(attempt.state, loads));
+        progress.work += work_of_step(run.contact,
+                                      {run.state, loads_before, *forces},
+                                      {attempt.state, loads, *now});
+        forces = now;
+      }
     run.state        = attempt.state;
     progress.control = run.control->get_memory();
     ++progress.n_steps;
@@ -503,6 +522,8 @@ namespace Biface
     report.n_negative_pivots = result.exact_pivots();
     report.n_heat_rounds     = attempt.n_heat_rounds;
     report.n_cuts            = attempt.n_cuts;
+    if (step)
+      report.motion = energy_of_motion(equations, contact, run.state, loads);
     for (const auto &analysis : analyses)
       analysis->end_step(run, report);
     return report;

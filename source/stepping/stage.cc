@@ -96,6 +96,7 @@ namespace Biface
                       "prescribed ones, and the travel of the ground "
                       "start from 0 again.",
                       Patterns::Bool());
+    StageMotion::add_parameters(prm);
     StageResults::add_parameters(prm);
   }
 
@@ -111,6 +112,7 @@ namespace Biface
                        "mark or a line break");
     StageLoads::check(section);
     StageControl::check(section);
+    StageMotion::check(section);
     StageResults::check(section);
     if (theory == StrainTheory::linear &&
         (control != ControlKind::load || !forces_on_bodies.empty()))

@@ -10,6 +10,7 @@
 #include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/stepping/attempt_in_time.h>
 #include <biface/stepping/controls/make_control.h>
 #include <biface/stepping/stage_run.h>
 #include <biface/stepping/stage_sequence.h>
@@ -327,6 +328,7 @@ namespace Biface
     equations.start_stage(loads_at(progress.reached), state);
 
     control->begin(last_converged());
+    start_motion(*this, state);
     progress.control = control->get_memory();
     progress.predictor.reset();
     progress.stage_begun = true;

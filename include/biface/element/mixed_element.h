@@ -151,6 +151,15 @@ namespace Biface
     /** The element keeps a reference to @p geometry. */
     MixedElement(const ElementGeometry &geometry, const NodalVector &V);
 
+    /** The element halfway between given displacements, with the derivative of
+     * the strains whose product with the change of the displacements is the
+     * change of the strains, which are quadratic in the displacements or, with
+     * ThicknessStrain::normal, contain products of such strains.
+     * strain() is not that of the displacements halfway. */
+    MixedElement(const ElementGeometry &geometry,
+                 const NodalVector     &start,
+                 const NodalVector     &end);
+
     /** The strain modes, @f$\mathbf E(\mathbf V)@f$. */
     Modes::Vector
     strain() const;

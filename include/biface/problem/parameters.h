@@ -104,6 +104,10 @@ namespace Biface
     void
     add_tire_test();
 
+    /** Whether the shell has inertia in a stage. */
+    bool
+    has_inertia() const;
+
     /** Check everything that does not need a mesh: values, and whether the
      * points, edges, materials and tables named by entries exist. Throws
      * InputError. */
@@ -154,6 +158,11 @@ namespace Biface
      * equilibrium. */
     void
     check_damping() const;
+
+    /** Check stages with inertia, of which much depends on the other sections.
+     */
+    void
+    check_inertia() const;
 
     /** Check the coefficients of friction, and where nodes are glued. */
     void

@@ -35,6 +35,8 @@ namespace Biface
     other_solution,
     /** Rolling and the conduction of heat, computed in turn, do not settle. */
     heat,
+    /** A step in time is too long for the accelerations in it. */
+    error_in_time,
     /** A linear solver failed for a reason of its own. */
     linear_solver
   };

@@ -32,6 +32,9 @@ namespace Biface
     bool to_branch = false;
     /** How often the step was halved before. */
     unsigned int n_cuts = 0;
+    /** The error of a step in time, see Biface::error_in_time(); 0 if it was
+     * not asked for. */
+    double error_in_time = 0;
   };
 
 

@@ -82,6 +82,7 @@ namespace Biface
 
     /** All objects are kept by reference.
      * @param heat see StageRun.
+     * @param newton_in_time see attempt_step_in_time().
      * @param nested the states of a coarser mesh from which steps start.
      * @param buckling_analysis for critical points.
      * @param analyses what accompanies the stages. */
@@ -90,6 +91,7 @@ namespace Biface
                  const ContactInteraction   &contact,
                  const RollingHeat          *heat,
                  Newton                     &newton,
+                 Newton                     &newton_in_time,
                  const NestedPredictor      &nested,
                  BucklingAnalysis           &buckling_analysis,
                  const StageAnalyses        &analyses,
@@ -181,6 +183,7 @@ namespace Biface
     const ContactInteraction   &contact;
     const RollingHeat          *heat;
     Newton                     &newton;
+    Newton                     &newton_in_time;
     const NestedPredictor      &nested;
     const StageAnalyses         analyses;
     CriticalPointSearch         critical_points;

@@ -10,6 +10,7 @@
 #include <biface/stepping/load_level.h>
 #include <biface/stepping/stage_control.h>
 #include <biface/stepping/stage_loads.h>
+#include <biface/stepping/stage_motion.h>
 #include <biface/stepping/stage_results.h>
 
 namespace Biface
@@ -44,7 +45,7 @@ namespace Biface
   /** A stage of loading: from the end of the previous stage, or of another one
    * before, to its own loads, in steps that its control chooses, with the
    * results asked for. */
-  struct Stage : StageLoads, StageControl, StageResults
+  struct Stage : StageLoads, StageControl, StageMotion, StageResults
   {
     std::string  name   = "stage";
     StrainTheory theory = StrainTheory::nonlinear;
@@ -96,6 +97,7 @@ namespace Biface
     {
       StageLoads::serialize(archive, version);
       StageControl::serialize(archive, version);
+      StageMotion::serialize(archive, version);
       StageResults::serialize(archive, version);
       serialize_optional(archive, start_from);
       archive &name &theory &from_prestress &may_fail;

@@ -17,6 +17,7 @@
 #include <biface/model/quantities/forces_on_shell.h>
 #include <biface/model/quantities/rolling_summary.h>
 #include <biface/model/quantities/work.h>
+#include <biface/model/time/energy_of_motion.h>
 #include <biface/stepping/stage.h>
 #include <biface/stepping/stiffness_against_ground.h>
 
@@ -70,9 +71,12 @@ namespace Biface
      * Biface::slip_ratio(). */
     std::optional<double> slip_ratio;
     /** The work of the loads and of contact, see Progress. */
-    Work           work;
-    ContactSummary contact;
-    Footprint      footprint;
+    Work work;
+    /** The energies and momenta of a shell that moves, in a stage with inertia.
+     */
+    std::optional<EnergyOfMotion> motion;
+    ContactSummary                contact;
+    Footprint                     footprint;
     /** The bodies that are there beside the ground, by name. */
     std::map<std::string, BodyReport> bodies;
     /** The forces on the nodes. */

@@ -4,6 +4,7 @@
 #include <biface/model/contact/bristle_lines.h>
 #include <biface/model/contact/contact_forces.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/time/contact_over_step.h>
 
 namespace Biface
 {
@@ -16,6 +17,9 @@ namespace Biface
   {
     if (!contact.body(loads) || !contact.mesh.cells[cell].is_wall)
       return false;
+    // points may come or leave
+    if (state.step)
+      return true;
     const ContactPoints &points = contact.points;
     for (unsigned int i = 0; i < points.on_cell().size(); ++i)
       if (contact.state_of(state)
@@ -28,59 +32,87 @@ namespace Biface
   void
   ContactForces::add(const CellState &at, CellForces &forces) const
   {
-    const ShellMesh     &mesh   = contact.mesh;
     const ContactPoints &points = contact.points;
-    const auto           frame =
-      [&](const unsigned int v) -> const std::array<Tensor<1, 3>, 3> & {
-      return mesh.nodes[at.cell.nodes[v]].surface.frame;
-    };
     for (unsigned int i = 0; i < points.on_cell().size(); ++i)
       {
         const unsigned int point = points.number(at.cell, i);
         if (!contact.state_of(at.state).active[point])
           continue;
-        const ContactPoints::OnCell &on_cell = points.on_cell()[i];
-        const std::array<double, 4>  areas   = points.areas(at.cell, i);
-        const LinearizedTraction     traction =
+        const LinearizedTraction traction =
           contact.traction(at.state, at.loads, point);
-
-        for (unsigned int r = 0; r < 4; ++r)
-          {
-            Tensor<1, 3> force;
-            for (unsigned int k = 0; k < 3; ++k)
-              force[k] = areas[r] * (frame(r)[k] * traction.value);
-            MixedElement::add_force(
-              force, r, at.cell.sign_of_face(r, contact.face), forces.force);
-            // the force acts on the mean and on the half difference of the
-            // faces
-            forces.square += 2 * force.norm_square();
-          }
-        for (unsigned int s = 0; s < 4; ++s)
-          {
-            if (on_cell.position[s] == 0)
-              continue;
-            std::array<Tensor<1, 3>, 3> columns;
-            for (unsigned int k = 0; k < 3; ++k)
-              columns[k] =
-                on_cell.position[s] * (traction.stiffness * frame(s)[k]);
-            for (unsigned int r = 0; r < 4; ++r)
-              {
-                Tensor<2, 3> stiffness;
-                for (unsigned int k = 0; k < 3; ++k)
-                  for (unsigned int l = 0; l < 3; ++l)
-                    stiffness[k][l] = areas[r] * (frame(r)[k] * columns[l]);
-                MixedElement::add_stiffness(
-                  stiffness,
-                  r,
-                  at.cell.sign_of_face(r, contact.face),
-                  s,
-                  at.cell.sign_of_face(s, contact.face),
-                  forces.tangent);
-              }
-          }
+        add_traction(at.cell, i, traction, forces);
         // of a law that has points at the nodes
         if (contact.body(at.loads)->laws.tangential().depends_on_velocity())
           add_neighbor(at.cell, i, traction, forces.tangent);
+      }
+  }
+
+
+  void
+  ContactForces::add_over_step(const CellState & /*start*/,
+                               const CellState &end,
+                               CellForces      &forces) const
+  {
+    const ContactPoints &points = contact.points;
+    for (unsigned int i = 0; i < points.on_cell().size(); ++i)
+      if (const auto traction = traction_over_step(
+            contact, end.state, end.loads, points.number(end.cell, i)))
+        add_traction(end.cell, i, *traction, forces);
+  }
+
+
+  std::string
+  ContactForces::prepare(const Loads &loads, State &state) const
+  {
+    if (state.step)
+      contact.settle(state, loads);
+    return {};
+  }
+
+
+  void
+  ContactForces::add_traction(const Cell               &cell,
+                              const unsigned int        i,
+                              const LinearizedTraction &traction,
+                              CellForces               &forces) const
+  {
+    const ContactPoints::OnCell &on_cell = contact.points.on_cell()[i];
+    const std::array<double, 4>  areas   = contact.points.areas(cell, i);
+    const auto                   frame =
+      [&](const unsigned int v) -> const std::array<Tensor<1, 3>, 3> & {
+      return contact.mesh.nodes[cell.nodes[v]].surface.frame;
+    };
+    for (unsigned int r = 0; r < 4; ++r)
+      {
+        Tensor<1, 3> force;
+        for (unsigned int k = 0; k < 3; ++k)
+          force[k] = areas[r] * (frame(r)[k] * traction.value);
+        MixedElement::add_force(
+          force, r, cell.sign_of_face(r, contact.face), forces.force);
+        // the force acts on the mean and on the half difference of the
+        // faces
+        forces.square += 2 * force.norm_square();
+      }
+    for (unsigned int s = 0; s < 4; ++s)
+      {
+        if (on_cell.position[s] == 0)
+          continue;
+        std::array<Tensor<1, 3>, 3> columns;
+        for (unsigned int k = 0; k < 3; ++k)
+          columns[k] = on_cell.position[s] * (traction.stiffness * frame(s)[k]);
+        for (unsigned int r = 0; r < 4; ++r)
+          {
+            Tensor<2, 3> stiffness;
+            for (unsigned int k = 0; k < 3; ++k)
+              for (unsigned int l = 0; l < 3; ++l)
+                stiffness[k][l] = areas[r] * (frame(r)[k] * columns[l]);
+            MixedElement::add_stiffness(stiffness,
+                                        r,
+                                        cell.sign_of_face(r, contact.face),
+                                        s,
+                                        cell.sign_of_face(s, contact.face),
+                                        forces.tangent);
+          }
       }
   }
 

@@ -10,6 +10,34 @@ namespace Biface
 {
   using namespace dealii;
 
+  MixedElement::NodalMatrix
+  cell_mass(const ShellMesh &mesh, const Cell &cell)
+  {
+    return element_mass(cell.geometry,
+                        mesh.strips[cell.strip].laminate.mass_moments());
+  }
+
+
+  LA::Vector
+  inertia(const ShellMesh &mesh, const LA::Vector &V)
+  {
+    LA::Vector result = mesh.owned_vector();
+    for (const unsigned int c : mesh.layers)
+      {
+        const Cell               &cell = mesh.cells[c];
+        const auto                v    = mesh.cell_values(V, cell);
+        const auto                M    = cell_mass(mesh, cell);
+        MixedElement::NodalVector force;
+        for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
+          for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
+            force[i] += M[i][j] * v[j];
+        mesh.add_nodal_forces(cell, force, result);
+      }
+    result.compress(VectorOperation::add);
+    return result;
+  }
+
+
   MassMatrix::MassMatrix(const ShellMesh &mesh)
     : mesh(mesh), matrix(mesh, mesh.constraints)
   {
@@ -17,7 +45,8 @@ namespace Biface
     for (const unsigned int c : mesh.layers)
       {
         const Cell &cell = mesh.cells[c];
-        matrix.add(c, cell_mass(cell), MixedElement::NodalVector(), nothing);
+        matrix.add(
+          c, cell_mass(mesh, cell), MixedElement::NodalVector(), nothing);
         // the shape functions add up to 1, so that the moments add up to the
         // mass per area
         for (const auto &row : mesh.strips[cell.strip].laminate.mass_moments())
@@ -29,14 +58,6 @@ namespace Biface
   }
 
 
-  MixedElement::NodalMatrix
-  MassMatrix::cell_mass(const Cell &cell) const
-  {
-    return element_mass(cell.geometry,
-                        mesh.strips[cell.strip].laminate.mass_moments());
-  }
-
-
   void
   MassMatrix::vmult(LA::Vector &product, const LA::Vector &v) const
   {
@@ -44,23 +65,4 @@ namespace Biface
     mesh.constraints.set_zero(product);
   }
 
-
-  LA::Vector
-  MassMatrix::inertia(const LA::Vector &V) const
-  {
-    LA::Vector inertia = mesh.owned_vector();
-    for (const unsigned int c : mesh.layers)
-      {
-        const Cell               &cell = mesh.cells[c];
-        const auto                v    = mesh.cell_values(V, cell);
-        const auto                M    = cell_mass(cell);
-        MixedElement::NodalVector force;
-        for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
-          for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
-            force[i] += M[i][j] * v[j];
-        mesh.add_nodal_forces(cell, force, inertia);
-      }
-    inertia.compress(VectorOperation::add);
-    return inertia;
-  }
 } // namespace Biface

@@ -13,6 +13,7 @@
 #include <biface/model/equations/symmetry.h>
 #include <biface/model/forces/dependent_loads.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/time/step_in_time.h>
 
 namespace Biface
 {
@@ -57,6 +58,16 @@ namespace Biface
       of_terms += term->stored_energy(state);
     return internal.strain_energy(state) +
            Utilities::MPI::sum(of_terms, mesh.communicator);
+  }
+
+
+  double
+  ShellEquations::dissipated_energy(const State &state) const
+  {
+    double sum = 0;
+    for (const ForceTerm *term : terms)
+      sum += term->dissipated_energy(state);
+    return Utilities::MPI::sum(sum, mesh.communicator);
   }
 
 
@@ -126,6 +137,16 @@ namespace Biface
           internal.add_linearized({c, cell, V_0, *base, loads}, dV, forces);
         forces.square = forces.force.norm_square();
       }
+    else if (const StepInTime *step = state.step.get())
+      {
+        const auto V_0 = mesh.cell_values(step->start.displacement, cell);
+        const ForceTerm::CellState start{
+          c, cell, V_0, step->start, step->loads_at_start},
+          at_end{c, cell, V, state, loads};
+        for (unsigned int t = begin; t < end; ++t)
+          if (acts_on(*terms[t], element, state, loads))
+            terms[t]->add_over_step(start, at_end, forces);
+      }
     else
       for (unsigned int t = begin; t < end; ++t)
         if (acts_on(*terms[t], element, state, loads))
@@ -145,10 +166,23 @@ namespace Biface
   }
 
 
-  void
-  ShellEquations::assemble(const State &state, const Loads &loads)
+  namespace
   {
-    update_constraints(state, loads);
+    /** The loads that exert forces: over a step in time, those in its middle,
+     * while supports are where they are at its end. */
+    Loads
+    acting_loads(const State &state, const Loads &loads)
+    {
+      return state.step ? state.step->over_step(loads) : loads;
+    }
+  } // namespace
+
+
+  void
+  ShellEquations::assemble(const State &state, const Loads &loads_at_end)
+  {
+    update_constraints(state, loads_at_end);
+    const Loads                      loads = acting_loads(state, loads_at_end);
     std::vector<ForceTerm::Coupling> couplings;
     for (const ForceTerm *term : terms)
       term->add_couplings(state, loads, couplings);
@@ -219,9 +253,10 @@ namespace Biface
 
 
   ShellEquations::Balance
-  ShellEquations::balance(const State &state, const Loads &loads) const
+  ShellEquations::balance(const State &state, const Loads &loads_at_end) const
   {
-    LA::Vector load = mesh.owned_vector();
+    const Loads loads = acting_loads(state, loads_at_end);
+    LA::Vector  load  = mesh.owned_vector();
     for (const ForceTerm *term : terms)
       term->add_dead_forces({loads.pressure, loads.factors, 0}, load);
     LA::Vector constant = mesh.owned_vector();
@@ -444,11 +479,13 @@ namespace Biface
 
   LA::Vector
   ShellEquations::load_direction(const State     &state,
-                                 const Loads     &loads,
+                                 const Loads     &loads_at_end,
                                  const LoadRates &rates) const
   {
     Assert(!state.linearization_point, ExcNotImplemented());
-    LA::Vector direction = mesh.owned_vector();
+    const StepInTime *step      = state.step.get();
+    const Loads       loads     = acting_loads(state, loads_at_end);
+    LA::Vector        direction = mesh.owned_vector();
     for (const ForceTerm *term : terms)
       term->add_dead_forces(rates, direction);
     for (const Element &element : elements)
@@ -456,10 +493,22 @@ namespace Biface
         const Cell &cell = *element.cell;
         const auto  V    = mesh.cell_values(state.displacement, cell);
         MixedElement::NodalVector force;
+        const auto                V_0 =
+          (step ? mesh.cell_values(step->start.displacement, cell) : V);
         for (const ForceTerm *term : terms)
           if (acts_on(*term, element, state, loads))
-            term->add_load_derivative(
-              {element.index, cell, V, state, loads}, rates, force);
+            {
+              const ForceTerm::CellState at{
+                element.index, cell, V, state, loads};
+              if (step)
+                term->add_load_derivative_over_step(
+                  {element.index, cell, V_0, step->start, step->loads_at_start},
+                  at,
+                  rates,
+                  force);
+              else
+                term->add_load_derivative(at, rates, force);
+            }
         if (force.norm_square() > 0)
           mesh.add_nodal_forces(cell, force, direction);
       }
@@ -493,8 +542,10 @@ namespace Biface
 
 
   NodalForces
-  ShellEquations::nodal_forces(const State &state, const Loads &loads) const
+  ShellEquations::nodal_forces(const State &state,
+                               const Loads &loads_at_end) const
   {
+    const Loads               loads = acting_loads(state, loads_at_end);
     NodalForces               result(mesh);
     std::vector<LA::Vector *> of_terms;
     for (const ForceTerm *term : terms)

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <cmath>
 #include <limits>
 
@@ -10,6 +12,7 @@
 #include <biface/model/forces/gas.h>
 #include <biface/model/state/loads.h>
 #include <biface/model/state/state.h>
+#include <biface/model/time/step_in_time.h>
 
 namespace Biface
 {
@@ -75,11 +78,39 @@ namespace Biface
     const auto sealed = state.terms.find(name());
     if (sealed == state.terms.end())
       return;
-    const double volume  = cavity.volume(state);
     const double content = sealed->second.numbers[0];
-    loads.pressure =
-      (volume > 0 ? content / std::pow(volume, exponent) - ambient_pressure
-                  : std::numeric_limits<double>::quiet_NaN());
+    loads.pressure       = (state.step ? mean_pressure(state, content).value
+                                       : pressure(cavity.volume(state), content));
+  }
+
+
+  double
+  Gas::pressure(const double volume, const double content) const
+  {
+    return volume > 0 ? content / std::pow(volume, exponent) - ambient_pressure
+                      : std::numeric_limits<double>::quiet_NaN();
+  }
+
+
+  Gas::MeanPressure
+  Gas::mean_pressure(const State &state, const double content) const
+  {
+    // exact to round-off for changes of the volume by a part of it; the energy
+    // of the gas over the change of the volume would lose digits
+    const QGauss<1> rule(6);
+    const double    start = cavity.volume(state.step->start),
+                 end      = cavity.volume(state);
+    MeanPressure result{0, 0};
+    for (unsigned int q = 0; q < rule.size(); ++q)
+      {
+        const double part = rule.point(q)[0], weight = rule.weight(q);
+        const double volume = start + part * (end - start),
+                     p      = pressure(volume, content);
+        result.value += weight * p;
+        result.per_volume -=
+          weight * part * exponent * (p + ambient_pressure) / volume;
+      }
+    return result;
   }
 
 
@@ -96,7 +127,10 @@ namespace Biface
     pressure.rates.pressure = 1;
     pressure.gradient       = cavity.volume_gradient(state);
     pressure.gradient *=
-      -exponent * (loads.pressure + ambient_pressure) / cavity.volume(state);
+      (state.step
+         ? mean_pressure(state, state.terms.at(name()).numbers[0]).per_volume
+         : -exponent * (loads.pressure + ambient_pressure) /
+             cavity.volume(state));
     dependent.push_back(pressure);
   }
 } // namespace Biface

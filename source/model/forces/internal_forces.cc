@@ -15,6 +15,7 @@
 #include <biface/model/mesh/strip.h>
 #include <biface/model/state/loads.h>
 #include <biface/model/state/strain_theory.h>
+#include <biface/model/time/step_in_time.h>
 
 namespace Biface
 {
@@ -155,6 +156,103 @@ namespace Biface
       element.internal_force(H, initial_resultants(at.state)[at.index]);
     forces.force -= force;
     forces.square += force.norm_square();
+  }
+
+
+  Modes::Vector
+  InternalForces::initial_law(const Cell &cell, const Modes::Vector &E) const
+  {
+    if (nonlinear_plies(cell).all_linear())
+      return stiffness_of(cell).resultants(E);
+    return ModeStiffness(mesh.strips[cell.strip].laminate.stiffness(),
+                         mesh.sampling,
+                         cell.geometry.tangents())
+      .resultants(E);
+  }
+
+
+  Modes::Vector
+  InternalForces::resultants_over_step(const CellState     &end,
+                                       const Modes::Vector &E_0,
+                                       const Modes::Vector &E_1,
+                                       const Modes::Vector &change) const
+  {
+    const unsigned int  c    = end.index;
+    const Modes::Vector mean = (E_0 + E_1) / 2;
+    Modes::Vector       H    = resultants_of(end.state, c, mean);
+    if (nonlinear_plies(end.cell).all_linear())
+      return H;
+    // Gonzalez's discrete gradient, with the law at small strains as the metric
+    const Modes::Vector correction = initial_law(end.cell, change);
+    const double        square     = Modes::mean_product(correction, change);
+    const double        energy_0   = energy_of(end.state, c, E_0),
+                 energy_1          = energy_of(end.state, c, E_1),
+                 work              = Modes::mean_product(H, change);
+    const double missing           = energy_1 - energy_0 - work;
+    // what is left of the difference by round-off is no force
+    constexpr double roundoff = 64 * std::numeric_limits<double>::epsilon();
+    if (square > 0 && std::abs(missing) >
+                        roundoff * (std::abs(energy_0) + std::abs(energy_1)))
+      H += missing / square * correction;
+    return H;
+  }
+
+
+  void
+  InternalForces::add_over_step(const CellState &start,
+                                const CellState &end,
+                                CellForces      &forces) const
+  {
+    const double        part   = end.state.step->weight_of_end();
+    const unsigned int  c      = end.index;
+    const Modes::Vector E_0    = strains_of({end.cell.geometry, start.V}, c),
+                        E_1    = strains_of({end.cell.geometry, end.V}, c),
+                        change = E_1 - E_0,
+                        &H_0   = initial_resultants(end.state)[c];
+    Modes::Vector H            = resultants_over_step(end, E_0, E_1, change);
+    if (part != 0.5)
+      H += (part - 0.5) * initial_law(end.cell, change);
+    const MixedElement              element(end.cell.geometry, start.V, end.V);
+    const MixedElement::NodalVector force = element.internal_force(H, H_0);
+    forces.force -= force;
+    forces.square += force.norm_square();
+    if (!forces.with_tangent)
+      return;
+
+    // half of the tangent halfway, where the law has 2 kappa times its
+    // stiffness; symmetric, with the derivative of the strains halfway instead
+    // of that at the end
+    const NonlinearPlies &plies = nonlinear_plies(end.cell);
+    CellForces            halfway;
+    halfway.clear();
+    NonlinearPlies::Stiffness added;
+    const bool                any =
+      !plies.all_linear() &&
+      plies.stiffness(initial_strain(end.state, c) + (E_0 + E_1) / 2,
+                      added,
+                      history(end.state, c));
+    element.add_tangent(stiffness_of(end.cell),
+                        (H + H_0) / (2 * part),
+                        halfway.tangent,
+                        any ? &added : nullptr);
+    for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
+      for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
+        forces.tangent[i][j] += part * halfway.tangent[i][j];
+  }
+
+
+  double
+  InternalForces::dissipated_energy(const State &state) const
+  {
+    const StepInTime &step = *state.step;
+    double            sum  = 0;
+    for (const unsigned int c : mesh.layers)
+      {
+        const Modes::Vector change = strains(state, c) - strains(step.start, c);
+        sum += mesh.cells[c].geometry.weight *
+               Modes::mean_product(initial_law(mesh.cells[c], change), change);
+      }
+    return (step.weight_of_end() - 0.5) * sum;
   }
 
 

@@ -10,6 +10,7 @@
 #include <biface/model/mesh/fold_side.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/model/state/state.h>
+#include <biface/model/time/step_in_time.h>
 
 namespace Biface
 {
@@ -211,43 +212,96 @@ namespace Biface
 
 
   void
+  Joints::add_moment(const Pair        &pair,
+                     const unsigned int end,
+                     const JointAngle  &joint,
+                     const double       moment,
+                     const double       per_angle,
+                     const double       of_tangent,
+                     CellForces        &forces) const
+  {
+    const auto axes = [&pair](const Unknown &unknown) {
+      return unknown.sign * pair.element.geometry.vertices[unknown.vertex].axes;
+    };
+    for (const Unknown &one : unknowns(end))
+      {
+        const Tensor<1, 3> own = joint.gradient[one.vector] * axes(one);
+        forces.square += (moment * own).norm_square();
+        for (unsigned int i = 0; i < 3; ++i)
+          forces.force[MixedElement::dof(one.vertex, i, one.part)] -=
+            moment * own[i];
+        if (!forces.with_tangent)
+          continue;
+        for (const Unknown &two : unknowns(end))
+          {
+            const Tensor<1, 3> other = joint.gradient[two.vector] * axes(two);
+            const Tensor<2, 3> curved =
+              transpose(axes(one)) * joint.curvature[one.vector][two.vector] *
+              axes(two);
+            for (unsigned int i = 0; i < 3; ++i)
+              for (unsigned int j = 0; j < 3; ++j)
+                forces.tangent[MixedElement::dof(one.vertex, i, one.part)]
+                              [MixedElement::dof(two.vertex, j, two.part)] +=
+                  of_tangent *
+                  (per_angle * own[i] * other[j] + moment * curved[i][j]);
+          }
+      }
+  }
+
+
+  void
   Joints::add(const CellState &at, CellForces &forces) const
   {
     const Pair &pair = pairs[at.index];
-    const auto  axes = [&pair](const Unknown &unknown) {
-      return unknown.sign * pair.element.geometry.vertices[unknown.vertex].axes;
-    };
     for (unsigned int end = 0; end < 2; ++end)
       {
-        if (pair.stiffness[end] == 0)
+        const double stiffness = pair.stiffness[end];
+        if (stiffness == 0)
           continue;
         const JointAngle joint(undeformed(pair, end), change(pair, end, at.V));
-        const double     moment = pair.stiffness[end] * joint.angle;
-        for (const Unknown &one : unknowns(end))
-          {
-            const Tensor<1, 3> own = joint.gradient[one.vector] * axes(one);
-            forces.square += (moment * own).norm_square();
-            for (unsigned int i = 0; i < 3; ++i)
-              forces.force[MixedElement::dof(one.vertex, i, one.part)] -=
-                moment * own[i];
-            if (!forces.with_tangent)
-              continue;
-            for (const Unknown &two : unknowns(end))
-              {
-                const Tensor<1, 3> other =
-                  joint.gradient[two.vector] * axes(two);
-                const Tensor<2, 3> curved =
-                  transpose(axes(one)) *
-                  joint.curvature[one.vector][two.vector] * axes(two);
-                for (unsigned int i = 0; i < 3; ++i)
-                  for (unsigned int j = 0; j < 3; ++j)
-                    forces
-                      .tangent[MixedElement::dof(one.vertex, i, one.part)]
-                              [MixedElement::dof(two.vertex, j, two.part)] +=
-                      pair.stiffness[end] * own[i] * other[j] +
-                      moment * curved[i][j];
-              }
-          }
+        add_moment(
+          pair, end, joint, stiffness * joint.angle, stiffness, 1, forces);
+      }
+  }
+
+
+  void
+  Joints::add_over_step(const CellState &start,
+                        const CellState &end_of_step,
+                        CellForces      &forces) const
+  {
+    // turning steps are small
+    constexpr double largest_error = 0.05;
+
+    const Pair &pair = pairs[end_of_step.index];
+    for (unsigned int end = 0; end < 2; ++end)
+      {
+        const double stiffness = pair.stiffness[end];
+        if (stiffness == 0)
+          continue;
+        const JointAngle::Vectors at_rest = undeformed(pair, end),
+                                  first   = change(pair, end, start.V),
+                                  last    = change(pair, end, end_of_step.V);
+        JointAngle::Vectors halfway;
+        for (unsigned int k = 0; k < 3; ++k)
+          halfway[k] = (first[k] + last[k]) / 2;
+        const double angle_0 = JointAngle(at_rest, first).angle,
+                     angle_1 = JointAngle(at_rest, last).angle;
+        const JointAngle joint(at_rest, halfway);
+        // the mean moment on the change of the angle is that of the energy; the
+        // gradient halfway, which takes part in rigid motions, gives this
+        // change up to the third order
+        double by_gradient = 0;
+        for (unsigned int k = 0; k < 3; ++k)
+          by_gradient += joint.gradient[k] * (last[k] - first[k]);
+        const double turn = angle_1 - angle_0;
+        const double ratio =
+          std::abs(turn - by_gradient) <= largest_error * std::abs(by_gradient)
+            ? turn / by_gradient
+            : 1;
+        const double part   = end_of_step.state.step->weight_of_end();
+        const double moment = ratio * stiffness * (angle_0 + part * turn);
+        add_moment(pair, end, joint, moment, 2 * part * stiffness, 0.5, forces);
       }
   }
 
@@ -284,5 +338,29 @@ namespace Biface
           }
       }
     return energy;
+  }
+
+
+  double
+  Joints::dissipated_energy(const State &state) const
+  {
+    const StepInTime &step = *state.step;
+    double            sum  = 0;
+    for (const Pair &pair : pairs)
+      {
+        const auto V_0 =
+                     mesh.cell_values(step.start.displacement, pair.element),
+                   V_1 = mesh.cell_values(state.displacement, pair.element);
+        for (unsigned int end = 0; end < 2; ++end)
+          if (pair.stiffness[end] > 0)
+            {
+              const auto   at_rest = undeformed(pair, end);
+              const double turn =
+                JointAngle(at_rest, change(pair, end, V_1)).angle -
+                JointAngle(at_rest, change(pair, end, V_0)).angle;
+              sum += pair.stiffness[end] * turn * turn;
+            }
+      }
+    return (step.weight_of_end() - 0.5) * sum;
   }
 } // namespace Biface

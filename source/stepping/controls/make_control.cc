@@ -5,6 +5,7 @@
 #include <biface/stepping/controls/load_control.h>
 #include <biface/stepping/controls/make_control.h>
 #include <biface/stepping/controls/resultant_control.h>
+#include <biface/stepping/controls/time_control.h>
 
 namespace Biface
 {
@@ -52,6 +53,8 @@ namespace Biface
         case ControlKind::ground_force_and_axle_moment:
           {
             const auto resultants = prescribed_resultants(stage);
+            if (stage.inertia)
+              return make<TimeControl>(stage, parameters);
             if (resultants.empty())
               return make<LoadControl>(stage, parameters);
             return std::make_unique<ResultantControl>(

@@ -36,6 +36,18 @@ namespace Biface
     void
     add(const CellState &at, CellForces &forces) const override;
 
+    /** Add the forces over a StepInTime, of the active points and of those that
+     * have left or come: see traction_over_step(). */
+    void
+    add_over_step(const CellState &start,
+                  const CellState &end,
+                  CellForces      &forces) const override;
+
+    /** Over a StepInTime, set the multipliers and the active set to those of
+     * the displacements: forces do not depend on them, but for friction. */
+    std::string
+    prepare(const Loads &loads, State &state) const override;
+
     void
     add_load_derivative(const CellState           &at,
                         const LoadRates           &rates,
@@ -102,6 +114,15 @@ namespace Biface
     }
 
   private:
+    /** Add the forces of a traction at a point of a cell, with their
+     * derivative.
+     * @param i the position of the point in ContactPoints::on_cell(). */
+    void
+    add_traction(const Cell               &cell,
+                 const unsigned int        i,
+                 const LinearizedTraction &traction,
+                 CellForces               &forces) const;
+
     /** Add the derivative of the force at a vertex of a rolling shell by the
      * displacement of its neighbor along the streamline in the same cell. The
      * cells on either side of a node add what depends on the neighbor on this

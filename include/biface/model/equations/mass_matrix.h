@@ -10,6 +10,18 @@
 
 namespace Biface
 {
+  /** The mass matrix of a layer in the unknowns of its nodes, see
+   * element_mass(). */
+  MixedElement::NodalMatrix
+  cell_mass(const ShellMesh &mesh, const Cell &cell);
+
+  /** The inertia of any displacements, supported nodes included: the nodal
+   * forces that give them an acceleration of the same value.
+   * @param V with the entries of all nodes of this rank. */
+  LA::Vector
+  inertia(const ShellMesh &mesh, const LA::Vector &V);
+
+
   /**
    * The mass matrix of the shell, see element_mass(), with the constraints and
    * the sparsity pattern of the tangent.
@@ -35,12 +47,6 @@ namespace Biface
     void
     vmult(LA::Vector &product, const LA::Vector &v) const;
 
-    /** The inertia of any displacements, supported nodes included: the nodal
-     * forces that give them an acceleration of the same value.
-     * @param V with the entries of all nodes of this rank. */
-    LA::Vector
-    inertia(const LA::Vector &V) const;
-
     /** The mass of the whole shell. Unit: mass. */
     double
     total() const
@@ -49,10 +55,6 @@ namespace Biface
     }
 
   private:
-    /** The mass matrix in the unknowns of the faces of a cell. */
-    MixedElement::NodalMatrix
-    cell_mass(const Cell &cell) const;
-
     const ShellMesh &mesh;
     TangentMatrix    matrix;
     double           total_mass = 0;

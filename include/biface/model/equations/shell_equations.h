@@ -40,6 +40,12 @@ namespace Biface
     double
     strain_energy(const State &state) const;
 
+    /** The energy that damping of the material dissipates in the StepInTime of a
+     * state, on all ranks, see ForceTerm::dissipated_energy(). Unit: force times
+     * length. */
+    double
+    dissipated_energy(const State &state) const;
+
     void
     assemble(const State &state, const Loads &loads) override;
 

@@ -112,6 +112,17 @@ namespace Biface
     add(const CellState & /*at*/, CellForces & /*forces*/) const
     {}
 
+    /** Add the contribution of the term to a cell on which it acts over a
+     * StepInTime, with the derivatives by the displacements at its end. The
+     * work of the forces in the step should be the change of their energy;
+     * unless overridden, they are the mean by Simpson's rule along a straight
+     * way, for which that is so if the energy is cubic in the displacements.
+     * @param end with the loads over the step. */
+    virtual void
+    add_over_step(const CellState &start,
+                  const CellState &end,
+                  CellForces      &forces) const;
+
     /** Add the derivative of the forces on a cell for the given rates of the
      * loads. */
     virtual void
@@ -150,6 +161,13 @@ namespace Biface
                   const Loads & /*loads*/,
                   std::vector<Coupling> & /*couplings*/) const
     {}
+
+    /** The same over a StepInTime, see add_over_step(). */
+    void
+    add_load_derivative_over_step(const CellState           &start,
+                                  const CellState           &end,
+                                  const LoadRates           &rates,
+                                  MixedElement::NodalVector &force) const;
 
     /** Add the derivative of the forces of add_coupled_forces() for the given
      * rates of the loads. Called on all ranks. */
@@ -226,6 +244,15 @@ namespace Biface
      * length. */
     virtual double
     stored_energy(const State & /*state*/) const
+    {
+      return 0;
+    }
+
+    /** The energy on this rank that the damping of the material, and the
+     * numerical one, dissipate in the StepInTime of a state. Unit: force times
+     * length. */
+    virtual double
+    dissipated_energy(const State & /*state*/) const
     {
       return 0;
     }

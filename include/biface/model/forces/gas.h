@@ -73,6 +73,23 @@ namespace Biface
                         std::vector<DependentLoads> &dependent) const override;
 
   private:
+    /** The gauge pressure of a sealed gas in a volume; not a number if nothing
+     * is left of the volume. */
+    double
+    pressure(const double volume, const double content) const;
+
+    /** The mean pressure over a StepInTime, in which the volume changes evenly,
+     * and its derivative by the volume at the end: the work of the gas is the
+     * change of its energy. */
+    struct MeanPressure
+    {
+      double value, per_volume;
+    };
+
+    /** @param state at the end of the step. */
+    MeanPressure
+    mean_pressure(const State &state, const double content) const;
+
     const Cavity &cavity;
     const double  ambient_pressure;
     const double  exponent;

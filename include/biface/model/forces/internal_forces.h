@@ -47,6 +47,18 @@ namespace Biface
     void
     add(const CellState &at, CellForces &forces) const override;
 
+    /** Add the forces over a StepInTime to a cell: with the mean of the shapes
+     * and, for laws that have an energy, resultants whose work on the change of
+     * the strains is the change of the energy, section "Steps in time" of
+     * doc/theory.md. */
+    void
+    add_over_step(const CellState &start,
+                  const CellState &end,
+                  CellForces      &forces) const override;
+
+    double
+    dissipated_energy(const State &state) const override;
+
     /** Add the forces of linear strain theory to a cell. Laws that are not
      * linear, such as those of cords that go slack, take the linearized
      * strains.
@@ -275,6 +287,19 @@ namespace Biface
     energy_of(const State         &state,
               const unsigned int   cell,
               const Modes::Vector &E) const;
+
+    /** The resultants over a StepInTime without its damping, from one set of
+     * strains to another.
+     * @param change the strains @p E_1 without @p E_0. */
+    Modes::Vector
+    resultants_over_step(const CellState     &end,
+                         const Modes::Vector &E_0,
+                         const Modes::Vector &E_1,
+                         const Modes::Vector &change) const;
+
+    /** The law of a cell at small strains. */
+    Modes::Vector
+    initial_law(const Cell &cell, const Modes::Vector &E) const;
 
     /** Add the tangent of a cell.
      * @param E the strains at which the law is linearized. */

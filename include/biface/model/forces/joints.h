@@ -69,8 +69,16 @@ namespace Biface
     void
     add(const CellState &at, CellForces &forces) const override;
 
+    void
+    add_over_step(const CellState &start,
+                  const CellState &end,
+                  CellForces      &forces) const override;
+
     double
     stored_energy(const State &state) const override;
+
+    double
+    dissipated_energy(const State &state) const override;
 
     Source
     source() const override
@@ -103,6 +111,20 @@ namespace Biface
       unsigned int vector;
       double       sign;
     };
+
+    /** Add a moment at an end and its derivative.
+     * @param joint gives the derivatives of the angle.
+     * @param per_angle the derivative of the moment by the angle.
+     * @param of_tangent the derivative of the displacements by those for which
+     * the tangent is. */
+    void
+    add_moment(const Pair        &pair,
+               const unsigned int end,
+               const JointAngle  &joint,
+               const double       moment,
+               const double       per_angle,
+               const double       of_tangent,
+               CellForces        &forces) const;
 
     /** The unknowns on which the angle at an end depends. */
     static std::array<Unknown, 4>

@@ -19,8 +19,16 @@ namespace Biface
     double ground = 0;
     /** The part of @p ground that friction dissipates. */
     double friction = 0;
-    /** The work that ViscousDamping dissipates. */
+    /** The work that ViscousDamping dissipates or, in motion, the damping that
+     * is proportional to mass and stiffness. */
     double damping = 0;
+    /** In motion: the work that numerical damping dissipates, and that of
+     * contact but for friction. */
+    double numerical = 0;
+    double contact   = 0;
+    /** In motion, by how much the energies have grown more than the work and
+     * what is dissipated say. */
+    double unbalanced = 0;
 
     Work &
     operator+=(const Work &other)
@@ -29,6 +37,9 @@ namespace Biface
       ground += other.ground;
       friction += other.friction;
       damping += other.damping;
+      numerical += other.numerical;
+      contact += other.contact;
+      unbalanced += other.unbalanced;
       return *this;
     }
 
@@ -36,7 +47,7 @@ namespace Biface
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &loads &ground &friction &damping;
+      archive &loads &ground &friction &damping &numerical &contact &unbalanced;
     }
   };
 

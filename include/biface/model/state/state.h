@@ -19,6 +19,7 @@
 namespace Biface
 {
   class ShellMesh;
+  struct StepInTime;
 
 
   /** The results of earlier stages that belong to the undeformed shape since
@@ -72,6 +73,10 @@ namespace Biface
     /** The velocities of the unknowns, readable at all nodes of this rank, if
      * the state moves; empty otherwise. Unit: length/time. */
     LA::Vector velocity;
+
+    /** The step in time at whose end this state is sought; null in equilibrium
+     * and at the end of a step. */
+    std::shared_ptr<const StepInTime> step;
 
     /** The resultants @f$\mathbf H@f$ of each locally owned cell, an unknown
      * of the mixed iteration. Initial resultants are not included. */

@@ -143,6 +143,8 @@ namespace Biface
       const State &before, &after;
       /** Whether the step has left the path for another branch. */
       bool to_branch = false;
+      /** See Attempt. */
+      double error_in_time = 0;
     };
 
     /** Accept a converged step. */

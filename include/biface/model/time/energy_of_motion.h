@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_time_energy_of_motion_h
+#define biface_model_time_energy_of_motion_h
+
+#include <deal.II/base/tensor.h>
+
+#include <biface/model/quantities/work.h>
+
+namespace Biface
+{
+  class ContactInteraction;
+  struct Loads;
+  class ShellEquations;
+  struct State;
+
+
+  /** The energies of a shell that moves, and its momenta. Unit: force times
+   * length, and force times time. */
+  struct EnergyOfMotion
+  {
+    double kinetic = 0;
+    /** See ShellEquations::strain_energy(). */
+    double strain = 0;
+    /** The energy of the springs of contact. */
+    double               contact = 0;
+    dealii::Tensor<1, 3> momentum;
+    /** About the origin. Unit: force times length times time. */
+    dealii::Tensor<1, 3> angular_momentum;
+
+    double
+    sum() const
+    {
+      return kinetic + strain + contact;
+    }
+  };
+
+
+  /** Must be called on all ranks.
+   * @param state that moves. */
+  EnergyOfMotion
+  energy_of_motion(const ShellEquations     &equations,
+                   const ContactInteraction &contact,
+                   const State              &state,
+                   const Loads              &loads);
+
+
+  /**
+   * The work in a StepInTime, by the forces over the step: it is exact, so that
+   * Work::unbalanced is round-off and what the iteration has left.
+   *
+   * Must be called on all ranks.
+   *
+   * @param state at the end of the step, with its new velocity.
+   * @param loads there.
+   * @param forces on the nodes over the step.
+   */
+  Work
+  work_in_time(const ShellEquations     &equations,
+               const ContactInteraction &contact,
+               const State              &state,
+               const Loads              &loads,
+               const NodalForces        &forces);
+
+
+  /** The error in time of a step: the norm of
+   * @f$\frac{\Delta t^3}{12}\dot{\mathbf a}@f$ with the mass matrix, relative
+   * to the motion in the step with the largest velocity so far. The change of
+   * the accelerations is that from the middle of the step before; 0 in the
+   * first step.
+   * @param state at the end of the step. */
+  double
+  error_in_time(const ShellEquations &equations, const State &state);
+
+
+  /** Let a state at the end of a step remember what error_in_time() needs: its
+   * acceleration, and the largest energy of the motion since the start of the
+   * stage.
+   * @param state at the end of the step, with its new velocity. */
+  void
+  remember_motion(const ShellEquations &equations, State &state);
+} // namespace Biface
+
+#endif

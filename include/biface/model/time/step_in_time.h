@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_time_step_in_time_h
+#define biface_model_time_step_in_time_h
+
+#include <biface/model/state/load_rates.h>
+#include <biface/model/state/loads.h>
+#include <biface/model/state/state.h>
+
+namespace Biface
+{
+  /** The damping of a shell that moves. */
+  struct DampingInTime
+  {
+    /** The force per mass and velocity. Unit: 1/time. */
+    double of_mass = 0;
+    /** The stress of a strain rate, divided by the stress of that strain. Unit:
+     * time. */
+    double of_stiffness = 0;
+    /** The same, divided by half the length of a step: @f$\chi@f$. */
+    double numerical = 0;
+    /** The part of the pressure of contact by which it is larger on the way in
+     * than on the way out, 0 to 1. */
+    double of_contact = 0;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &of_mass &of_stiffness &numerical &of_contact;
+    }
+  };
+
+
+  /**
+   * A step in time from one state to another, by the energy-momentum method
+   * @cite SimoTarnow1992. With the velocities @f$\mathbf v@f$,
+   * @f[
+   *   \frac{\mathbf V_1-\mathbf V_0}{\Delta t}
+   *     =\frac{\mathbf v_0+\mathbf v_1}2,\qquad
+   *   \mathbf M\,\frac{\mathbf v_1-\mathbf v_0}{\Delta t}
+   *     =\bar{\mathbf f}(\mathbf V_0,\mathbf V_1) .
+   * @f]
+   * The forces over the step, ForceTerm::add_over_step(), do the work by which
+   * the energy of each term changes.
+   *
+   * It belongs to the State at the end of the step while that is sought, see
+   * State::step.
+   */
+  struct StepInTime
+  {
+    /** The state and the loads at the start. */
+    State start;
+    Loads loads_at_start;
+    /** The pressure and the load factors in the middle of the step. */
+    LoadRates middle;
+    /** Unit: time. */
+    double        duration = 0;
+    DampingInTime damping;
+
+    /** The part of the change of the stresses that acts over the step,
+     * @f$\kappa=\frac12+\frac\chi2+\tau/\Delta t@f$ with
+     * DampingInTime::numerical and DampingInTime::of_stiffness. */
+    double
+    weight_of_end() const
+    {
+      return 0.5 + damping.numerical / 2 + damping.of_stiffness / duration;
+    }
+
+    /** The loads over the step, given those at its end, where bodies are. */
+    Loads
+    over_step(const Loads &end) const;
+
+    /** The velocity at the end of the step (locally owned entries), given the
+     * state there. */
+    LA::Vector
+    velocity(const State &end) const;
+
+    /** The mean acceleration in the step (locally owned entries), given the
+     * state at its end. */
+    LA::Vector
+    acceleration(const State &end) const;
+  };
+
+
+  /** The state that moves on from a given one for a duration, with its velocity
+   * and without forces: an initial guess. */
+  LA::Vector
+  extrapolated(const State &state, const double duration);
+} // namespace Biface
+
+#endif

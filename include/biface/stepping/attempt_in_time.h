@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_stepping_attempt_in_time_h
+#define biface_stepping_attempt_in_time_h
+
+#include <memory>
+
+#include <biface/model/forces/nodal_forces.h>
+#include <biface/model/quantities/work.h>
+#include <biface/stepping/attempt.h>
+
+namespace Biface
+{
+  struct StepInTime;
+
+
+  /** Prepare a state for a stage with inertia: set its velocities, those of the
+   * stage or, without them, what the state has; without inertia, none. Supports
+   * that move have the velocity of the first step. */
+  void
+  start_motion(const StageRun &run, State &state);
+
+  /** Attempt a StepInTime by Newton's method.
+   * @param newton one that knows nothing of contact, which has no active set in
+   * time. */
+  Attempt
+  attempt_step_in_time(Newton               &newton,
+                       const StageRun       &run,
+                       const Control::Trial &trial);
+
+  /** The forces on the nodes over the step of a converged attempt. */
+  std::shared_ptr<const NodalForces>
+  forces_over_step(const StageRun &run, const Attempt &attempt);
+
+  /** Complete the state at the end of a step in time: set its velocities and
+   * what the next step needs for its error.
+   * @param loads at the end of the step.
+   * @param forces on the nodes over the step.
+   * @return the work in the step. */
+  Work
+  end_step_in_time(const StageRun                          &run,
+                   const std::shared_ptr<const StepInTime> &step,
+                   const Loads                             &loads,
+                   const NodalForces                       &forces,
+                   State                                   &state);
+} // namespace Biface
+
+#endif

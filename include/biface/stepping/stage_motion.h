@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_stepping_stage_motion_h
+#define biface_stepping_stage_motion_h
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <biface/input/formula.h>
+#include <biface/model/time/step_in_time.h>
+
+namespace Biface
+{
+  class EntryDeclarations;
+  struct StageControl;
+  struct StageLoads;
+
+
+  /** How the shell moves in a stage with inertia. */
+  struct StageMotion
+  {
+    /** Whether the shell has inertia: the stage goes through time and not
+     * through equilibria. */
+    bool inertia = false;
+    /** The duration of the first step. Unit: time. */
+    std::optional<double> time_step;
+    /** The error of a step, relative to the largest velocity, above which steps
+     * become shorter; 0 for equal steps. */
+    double        time_error = 0.01;
+    DampingInTime damping_in_time;
+
+    /** The formulas of the velocity at the start, by component x, y, z, of the
+     * position x, y, z there; empty for that at the end of the stage before.
+     * Unit: length/time. */
+    std::vector<Formula> initial_velocity;
+
+    /** Loads as formulas of the time t since the start of the stage, by name:
+     * 'pressure', 'travel', 'turn', 'load factor' or one of 'Load factors'. */
+    std::vector<std::pair<std::string, Formula>> histories;
+
+    void
+    add_parameters(EntryDeclarations &prm);
+
+    /** Set the steps, and the loads at the end of the stage that histories
+     * give. Throws InputError if the stage gives both. */
+    void
+    complete(const std::string &section,
+             StageControl      &control,
+             StageLoads        &loads) const;
+
+    /** Throws InputError if a value is invalid. */
+    void
+    check(const std::string &section) const;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &inertia &time_error &damping_in_time;
+    }
+  };
+} // namespace Biface
+
+#endif

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
+#include <biface/model/contact/contact_summary.h>
+#include <biface/model/equations/mass_matrix.h>
+#include <biface/model/equations/shell_equations.h>
+#include <biface/model/time/contact_over_step.h>
+#include <biface/model/time/energy_of_motion.h>
+#include <biface/model/time/inertia.h>
+#include <biface/model/time/step_in_time.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** The product @f$\mathbf v\cdot\mathbf M\,\mathbf v@f$, where v has the
+     * entries of all nodes of this rank. */
+    double
+    mass_product(const ShellMesh &mesh, const LA::Vector &v)
+    {
+      return inertia(mesh, v) * owned_part(v);
+    }
+
+
+    double
+    mass_product_of_owned(const ShellMesh &mesh, const LA::Vector &owned)
+    {
+      LA::Vector v = mesh.ghosted_vector();
+      v            = owned;
+      return mass_product(mesh, v);
+    }
+
+
+    /** What Inertia remembers at the end of a step, beside the accelerations of
+     * the nodes. */
+    enum Remembered : unsigned int
+    {
+      /** Of the last step. */
+      duration,
+      /** The strain energy at the start of the stage, and the largest energy of
+       * the motion since then. */
+      strain_energy_at_start,
+      largest_energy,
+      n_remembered
+    };
+  } // namespace
+
+
+  EnergyOfMotion
+  energy_of_motion(const ShellEquations     &equations,
+                   const ContactInteraction &contact,
+                   const State              &state,
+                   const Loads              &loads)
+  {
+    const ShellMesh &mesh = equations.mesh;
+    EnergyOfMotion   result;
+    result.strain = equations.strain_energy(state);
+    for (const auto &pair : contact.pairs)
+      result.contact += contact_energy(*pair, state, loads);
+    if (state.velocity.size() == 0)
+      return result;
+
+    const LA::Vector momentum = inertia(mesh, state.velocity);
+    result.kinetic            = momentum * owned_part(state.velocity) / 2;
+    for (const Node &node : mesh.nodes)
+      if (node.locally_owned)
+        for (unsigned int face = 0; face <= mesh.n_layers(); ++face)
+          {
+            const Tensor<1, 3> of_face = node.surface.from_frame(
+              mesh.force_on_any_face(momentum, node, face));
+            result.momentum += of_face;
+            result.angular_momentum += cross_product_3d(
+              mesh.position_of_any_face(state.displacement, node, face),
+              of_face);
+          }
+    for (Tensor<1, 3> *sum : {&result.momentum, &result.angular_momentum})
+      for (unsigned int i = 0; i < 3; ++i)
+        (*sum)[i] = Utilities::MPI::sum((*sum)[i], mesh.communicator);
+    return result;
+  }
+
+
+  Work
+  work_in_time(const ShellEquations     &equations,
+               const ContactInteraction &contact,
+               const State              &state,
+               const Loads              &loads,
+               const NodalForces        &forces)
+  {
+    const ShellMesh  &mesh   = equations.mesh;
+    const StepInTime &step   = *state.step;
+    LA::Vector        change = owned_part(state.displacement);
+    change -= owned_part(step.start.displacement);
+
+    double on_shell = forces[ForceTerm::Source::ground] * change;
+    for (const auto &pair : contact.pairs)
+      if (const auto found = forces.of_bodies.find(pair->name);
+          found != forces.of_bodies.end())
+        on_shell += found->second * change;
+    const double of_inertia = forces.of_bodies.at(Inertia::body) * change;
+    Work         result;
+    // supports exert what is missing
+    result.loads =
+      (mesh.prescribes_displacements()
+         ? -(forces[ForceTerm::Source::shell] * change) - of_inertia - on_shell
+         : forces[ForceTerm::Source::loads] * change);
+    for (const auto &pair : contact.pairs)
+      {
+        result.ground += work_of_body_over_step(*pair, state, loads);
+        result.friction += friction_work(*pair, step.start, state, loads);
+      }
+
+    const double mass_damping = step.damping.of_mass / step.duration *
+                                mass_product_of_owned(mesh, change),
+                 of_strains = equations.dissipated_energy(state),
+                 parts      = step.weight_of_end() - 0.5,
+                 numerical  = parts > 0
+                                ? of_strains * step.damping.numerical / 2 / parts
+                                : 0.;
+    result.damping          = mass_damping + of_strains - numerical;
+    result.numerical        = numerical;
+
+    const EnergyOfMotion before = energy_of_motion(
+                           equations, contact, step.start, step.loads_at_start),
+                         after =
+                           energy_of_motion(equations, contact, state, loads);
+    // what goes into the springs of contact and does not come out
+    const double lost =
+      result.ground - on_shell - (after.contact - before.contact);
+    result.contact    = lost - result.friction;
+    result.unbalanced = after.sum() - before.sum() - result.loads -
+                        result.ground + result.damping + result.numerical +
+                        lost;
+    return result;
+  }
+
+
+  double
+  error_in_time(const ShellEquations &equations, const State &state)
+  {
+    const ShellMesh  &mesh  = equations.mesh;
+    const StepInTime &step  = *state.step;
+    const auto        found = step.start.terms.find(Inertia::body);
+    if (found == step.start.terms.end() || found->second.numbers.empty())
+      return 0;
+    const std::vector<double> &last = found->second.numbers;
+    LA::Vector change = step.acceleration(state), before = mesh.owned_vector();
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+      if (mesh.nodes[n].locally_owned)
+        for (unsigned int i = 0; i < mesh.nodes[n].dofs.size(); ++i)
+          before(mesh.nodes[n].dofs[i]) = found->second.at_nodes(n, i);
+    before.compress(VectorOperation::insert);
+    change -= before;
+
+    // the velocity that has the largest energy of the motion, with that of the
+    // end of this step
+    State end            = state;
+    end.velocity         = mesh.ghosted_vector();
+    end.velocity         = step.velocity(state);
+    const double kinetic = mass_product(mesh, end.velocity) / 2,
+                 energy =
+                   std::max(last[largest_energy],
+                            kinetic + std::abs(equations.strain_energy(state) -
+                                               last[strain_energy_at_start]));
+    if (!(energy > 0))
+      return 0;
+    const double dt = step.duration, between = (dt + last[duration]) / 2;
+    return dt * dt / 12 / between *
+           std::sqrt(mass_product_of_owned(mesh, change) / (2 * energy));
+  }
+
+
+  void
+  remember_motion(const ShellEquations &equations, State &state)
+  {
+    const ShellMesh  &mesh          = equations.mesh;
+    const StepInTime &step          = *state.step;
+    const double      strain_energy = equations.strain_energy(state),
+                 kinetic            = mass_product(mesh, state.velocity) / 2;
+
+    TermState &term = state.terms[Inertia::body];
+    if (term.numbers.empty())
+      {
+        term.numbers.resize(n_remembered);
+        term.numbers[strain_energy_at_start] =
+          equations.strain_energy(step.start);
+      }
+    term.numbers[duration]       = step.duration;
+    term.numbers[largest_energy] = std::max(
+      term.numbers[largest_energy],
+      kinetic + std::abs(strain_energy - term.numbers[strain_energy_at_start]));
+
+    LA::Vector acceleration = mesh.ghosted_vector();
+    acceleration            = step.acceleration(state);
+    term.at_nodes.reinit(mesh.nodes.size(), mesh.n_dofs_per_node());
+    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+      for (unsigned int i = 0; i < mesh.nodes[n].dofs.size(); ++i)
+        term.at_nodes(n, i) = acceleration(mesh.nodes[n].dofs[i]);
+  }
+} // namespace Biface

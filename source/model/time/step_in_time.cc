@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <biface/model/mesh/shell_mesh.h>
+#include <biface/model/time/step_in_time.h>
+
+namespace Biface
+{
+  Loads
+  StepInTime::over_step(const Loads &end) const
+  {
+    Loads loads   = end;
+    loads.factors = middle.factors;
+    // that of a sealed gas follows from the volumes at both ends, see Gas
+    if (!loads.sealed_gas)
+      loads.pressure = middle.pressure;
+    return loads;
+  }
+
+
+  LA::Vector
+  StepInTime::velocity(const State &end) const
+  {
+    LA::Vector result = owned_part(end.displacement);
+    result -= owned_part(start.displacement);
+    result *= 2 / duration;
+    result -= owned_part(start.velocity);
+    return result;
+  }
+
+
+  LA::Vector
+  StepInTime::acceleration(const State &end) const
+  {
+    LA::Vector result = velocity(end);
+    result -= owned_part(start.velocity);
+    result /= duration;
+    return result;
+  }
+
+
+  LA::Vector
+  extrapolated(const State &state, const double duration)
+  {
+    LA::Vector result = owned_part(state.displacement);
+    result.add(duration, owned_part(state.velocity));
+    return result;
+  }
+} // namespace Biface

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
+#include <biface/problem/parameters.h>
+#include <biface/stepping/stage_sequence.h>
+
+namespace Biface
+{
+  bool
+  Parameters::has_inertia() const
+  {
+    return std::any_of(stages.begin(), stages.end(), [](const Stage &stage) {
+      return stage.inertia;
+    });
+  }
+
+
+  void
+  Parameters::check_inertia() const
+  {
+    const std::vector<bool> rolls = rolling_stages();
+    for (unsigned int i = 0; i < stages.size(); ++i)
+      {
+        const Stage &stage = stages[i];
+        if (!stage.inertia)
+          continue;
+        const std::string section = "Stage " + std::to_string(i + 1);
+        const auto        refuse  = [&](const bool         wrong,
+                                const std::string &entry,
+                                const std::string &value,
+                                const std::string &allowed) {
+          if (wrong)
+            throw InputError(entry,
+                             value,
+                             "it must be " + allowed +
+                               " with 'Inertia = true' in stage " +
+                               std::to_string(i + 1));
+        };
+        refuse(!(stage.duration > 0),
+               section + "/Duration",
+               number_to_string(stage.duration),
+               "positive");
+        refuse(stage.control != ControlKind::load,
+               section + "/Control",
+               stage.control_name(),
+               "'load'");
+        refuse(!stage.forces_on_bodies.empty(),
+               section + "/Forces on bodies",
+               stage.forces_on_bodies.empty()
+                 ? ""
+                 : stage.forces_on_bodies.front().first,
+               "empty");
+        refuse(stage.theory == StrainTheory::linear,
+               section + "/Strain theory",
+               "linear",
+               "'nonlinear'");
+        refuse(stage.damping > 0,
+               section + "/Damping",
+               number_to_string(stage.damping),
+               "0, or 'Mass damping',");
+        refuse(stage.locates_critical_points(),
+               section + "/Critical points",
+               stage.critical_points_name(),
+               "'report' or 'ignore'");
+        refuse(stage.n_modes > 0,
+               section + "/Modes",
+               std::to_string(stage.n_modes),
+               "0, as there is no equilibrium,");
+        refuse(stage.n_buckling > 0,
+               section + "/Buckling",
+               std::to_string(stage.n_buckling),
+               "0, as there is no equilibrium,");
+        refuse(mesh.n_coarse > 0,
+               "Mesh/Coarse meshes",
+               std::to_string(mesh.n_coarse),
+               "0");
+        refuse(!sensitivities.entries.empty(),
+               "Sensitivities/Entries",
+               sensitivities.entries,
+               "empty");
+        if (rolls[i])
+          throw InputError(section + "/Inertia",
+                           "true",
+                           "it must be 'false' where the wheel rolls or spins");
+        for (const PlyParameters &ply : laminate.plies)
+          for (const MaterialParameters &material : materials)
+            if (material.name == ply.material && material.relaxes())
+              throw InputError(section + "/Inertia",
+                               "true",
+                               "it must be 'false' with the material '" +
+                                 material.name +
+                                 "', whose stresses relax; 'Stiffness "
+                                 "damping' is a simpler law");
+      }
+  }
+} // namespace Biface

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <memory>
+#include <string>
+
+#include <biface/input/parameter_tools.h>
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/mesh/supports.h>
+#include <biface/model/time/energy_of_motion.h>
+#include <biface/model/time/inertia.h>
+#include <biface/model/time/step_in_time.h>
+#include <biface/stepping/attempt_in_time.h>
+#include <biface/stepping/stage_run.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  void
+  start_motion(const StageRun &run, State &state)
+  {
+    // the largest energy counts from the start of the stage
+    state.terms.erase(Inertia::body);
+    if (!run.stage.inertia)
+      {
+        state.velocity.clear();
+        return;
+      }
+    const ShellMesh &mesh     = run.equations.mesh;
+    LA::Vector       velocity = mesh.owned_vector();
+    if (state.velocity.size() > 0)
+      velocity = owned_part(state.velocity);
+    if (!run.stage.initial_velocity.empty())
+      for (const Node &node : mesh.nodes)
+        if (node.locally_owned)
+          {
+            std::vector<Tensor<1, 3>> of_faces;
+            for (unsigned int face = 0; face <= mesh.n_layers(); ++face)
+              {
+                const Point<3> x =
+                  mesh.position_of_any_face(state.displacement, node, face);
+                Tensor<1, 3> v;
+                for (unsigned int i = 0; i < 3; ++i)
+                  v[i] = run.stage.initial_velocity[i]({x[0], x[1], x[2]});
+                of_faces.push_back(node.surface.to_frame(v));
+              }
+            // the mean of the outermost faces, and half the differences over
+            // the layers
+            for (unsigned int i = 0; i < 3; ++i)
+              {
+                velocity(node.dof(i, 0)) =
+                  (of_faces.front()[i] + of_faces.back()[i]) / 2;
+                for (unsigned int part = 1; part < node.n_parts(); ++part)
+                  velocity(node.dof(i, part)) =
+                    (of_faces[part][i] - of_faces[part - 1][i]) / 2;
+              }
+          }
+    velocity.compress(VectorOperation::insert);
+    mesh.constraints.distribute(velocity);
+    // supports that are moved have their velocity at once: otherwise they would
+    // change between twice this velocity and none
+    const Control::Trial trial = run.control->propose(run.last_converged());
+    const LoadLevel      first = trial.level(trial.mu);
+    const double         dt    = first.time - run.progress.reached.time;
+    State                moved = state, moves = state;
+    run.equations.move_supports(moves, run.loads_at(run.progress.reached));
+    run.equations.move_supports(moved, run.loads_at(first));
+    for (const PrescribedDisplacement &p : mesh.prescribed)
+      if (mesh.locally_owned.is_element(p.dof))
+        velocity(p.dof) =
+          (moved.displacement(p.dof) - moves.displacement(p.dof)) / dt;
+    velocity.compress(VectorOperation::insert);
+    state.velocity = mesh.ghosted_vector();
+    state.velocity = velocity;
+  }
+
+
+  Attempt
+  attempt_step_in_time(Newton               &newton,
+                       const StageRun       &run,
+                       const Control::Trial &trial)
+  {
+    const LoadLevel level  = trial.level(trial.mu);
+    const auto      step   = std::make_shared<StepInTime>();
+    step->start            = run.state;
+    step->loads_at_start   = run.loads_at(run.progress.reached);
+    step->duration         = level.time - run.progress.reached.time;
+    step->damping          = run.stage.damping_in_time;
+    const LoadLevel middle = trial.level({trial.mu[0] - trial.size / 2});
+    step->middle.pressure  = middle.pressure;
+    step->middle.factors   = middle.factors;
+
+    Attempt attempt;
+    attempt.mu                 = trial.mu;
+    attempt.level              = level;
+    attempt.state              = run.state;
+    attempt.state.step         = step;
+    attempt.state.time_step    = run.time_step_to(level);
+    attempt.state.displacement = extrapolated(run.state, step->duration);
+
+    const Loads             loads = run.loads_at(level);
+    const ParametrizedLoads given{
+      [&loads](const LoadParameters &) { return loads; }};
+    NewtonResult &result = attempt.result;
+    // whether points stick or slip is decided with each increment, except after
+    // the last one
+    constexpr unsigned int max_rounds = 5;
+    unsigned int           spent      = 0;
+    for (unsigned int round = 0;; ++round)
+      {
+        result = newton.solve(
+          attempt.state, given, attempt.mu, NewtonIteration::substituted);
+        result.iterations += spent;
+        spent = result.iterations;
+        if (!result.converged ||
+            run.contact.settle(attempt.state, loads) == 0 ||
+            !run.contact.has_friction(loads))
+          break;
+        if (round == max_rounds)
+          {
+            result.converged = false;
+            result.failure   = {FailureCause::contact_cycle,
+                                "points stick and slip in turn"};
+          }
+      }
+    // those of the tangent with inertia say nothing about an equilibrium
+    result.n_negative_pivots.reset();
+    if (!result.converged)
+      return attempt;
+
+    const std::string passed = run.contact.passed_body(
+      run.state, step->loads_at_start, attempt.state, loads);
+    if (!passed.empty())
+      {
+        result.converged = false;
+        result.failure   = {FailureCause::other_solution,
+                            "the shell has passed through the body '" + passed +
+                              "' in one step"};
+        return attempt;
+      }
+    if (run.stage.time_error == 0)
+      return attempt;
+    // steps whose error is twice the one that is wanted count as well
+    constexpr double largest = 2;
+    attempt.error_in_time    = error_in_time(run.equations, attempt.state);
+    if (!(attempt.error_in_time <= largest * run.stage.time_error))
+      {
+        result.converged = false;
+        result.failure   = {FailureCause::error_in_time,
+                            "the step is too long: its error in time is " +
+                              number_to_string(attempt.error_in_time)};
+      }
+    return attempt;
+  }
+
+
+  std::shared_ptr<const NodalForces>
+  forces_over_step(const StageRun &run, const Attempt &attempt)
+  {
+    return std::make_shared<const NodalForces>(run.equations.nodal_forces(
+      attempt.state,
+      run.equations.with_dependent_loads(attempt.state,
+                                         run.loads_at(attempt.level))));
+  }
+
+
+  Work
+  end_step_in_time(const StageRun                          &run,
+                   const std::shared_ptr<const StepInTime> &step,
+                   const Loads                             &loads,
+                   const NodalForces                       &forces,
+                   State                                   &state)
+  {
+    const LA::Vector velocity = step->velocity(state);
+    state.velocity            = run.equations.mesh.ghosted_vector();
+    state.velocity            = velocity;
+    state.step                = step;
+    remember_motion(run.equations, state);
+    const Work work =
+      work_in_time(run.equations, run.contact, state, loads, forces);
+    state.step.reset();
+    return work;
+  }
+} // namespace Biface

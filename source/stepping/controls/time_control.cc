@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <biface/stepping/controls/time_control.h>
+
+namespace Biface
+{
+  Control::Trial
+  TimeControl::propose(const Equilibrium &from) const
+  {
+    Trial trial = LoadControl::propose(from);
+    trial.level = [this](const LoadParameters &mu) {
+      return level_in_time(mu[0]);
+    };
+    return trial;
+  }
+
+
+  LoadLevel
+  TimeControl::level_in_time(const double fraction) const
+  {
+    LoadLevel    level = level_at(fraction);
+    const double t     = fraction * stage.duration;
+    // of each load the last name that is given counts
+    std::vector<const Formula *> of_factors(level.factors.size(), nullptr);
+    const auto                   find = [&](const std::string &name) {
+      for (const auto &history : stage.histories)
+        if (history.first == name)
+          return &history.second;
+      return static_cast<const Formula *>(nullptr);
+    };
+    if (const Formula *common = find("load factor"))
+      std::fill(of_factors.begin(), of_factors.end(), common);
+    for (unsigned int i = 0; i < of_factors.size(); ++i)
+      for (const std::string &name : stage.names_of_factors[i])
+        for (const auto &own : stage.own_factors)
+          if (own.first == name)
+            of_factors[i] = find(name);
+    for (unsigned int i = 0; i < of_factors.size(); ++i)
+      if (of_factors[i])
+        level.factors[i] = (*of_factors[i])({t});
+    if (const Formula *pressure = find("pressure"))
+      level.pressure = (*pressure)({t});
+    if (const Formula *travel = find("travel"))
+      level.travel = (*travel)({t});
+    if (const Formula *turn = find("turn"))
+      level.turn = (*turn)({t});
+    return level;
+  }
+
+
+  void
+  TimeControl::accept(const Step &step)
+  {
+    // the next step has the error that is wanted if this one tells, with some
+    // reserve; steps at rest do not
+    constexpr double reserve = 0.9, maximum_growth = 2, minimum_growth = 0.2;
+
+    if (stage.time_error == 0)
+      {
+        LoadControl::accept(step);
+        return;
+      }
+    fraction = next();
+    const double growth =
+      step.error_in_time > 0
+        ? reserve * std::sqrt(stage.time_error / step.error_in_time)
+        : maximum_growth;
+    // what is left of the last step of the stage is no measure of the next one
+    size.succeeded(std::clamp(growth, minimum_growth, maximum_growth), 1);
+  }
+} // namespace Biface

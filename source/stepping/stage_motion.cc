@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <cmath>
+
+#include <biface/base/errors.h>
+#include <biface/input/entry_declarations.h>
+#include <biface/input/parameter_tools.h>
+#include <biface/stepping/stage_control.h>
+#include <biface/stepping/stage_loads.h>
+#include <biface/stepping/stage_motion.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    std::vector<Formula>
+    parse_velocity(const std::string &entry, const std::string &text)
+    {
+      std::vector<Formula> components;
+      for (const std::string &formula : split_list(entry, text, ';'))
+        components.emplace_back(
+          entry, formula, std::vector<std::string>{"x", "y", "z"});
+      if (!components.empty() && components.size() != 3)
+        throw InputError(entry,
+                         text,
+                         "it must be empty or consist of three formulas of x, "
+                         "y, z, separated by semicolons");
+      return components;
+    }
+
+
+    std::vector<std::pair<std::string, Formula>>
+    parse_histories(const std::string &entry, const std::string &text)
+    {
+      std::vector<std::pair<std::string, Formula>> histories;
+      for (const std::string &item : split_list(entry, text, ';'))
+        {
+          const auto [name, formula] = split_named(
+            entry, item, "each item must have the form 'name: formula of t'");
+          std::string words;
+          for (const std::string &word : split_words(name))
+            words += (words.empty() ? "" : " ") + word;
+          for (const auto &other : histories)
+            if (other.first == words)
+              throw InputError(entry, words, "it is given twice");
+          histories.emplace_back(
+            words, Formula(entry, formula, std::vector<std::string>{"t"}));
+        }
+      return histories;
+    }
+  } // namespace
+
+
+  void
+  StageMotion::add_parameters(EntryDeclarations &prm)
+  {
+    prm.add_parameter(
+      "Inertia",
+      inertia,
+      "Whether the shell has inertia: the stage goes through the time "
+      "'Duration', from the state and the velocities at the end of the stage "
+      "before, and not through equilibria. The load is at rest at the start if "
+      "that stage has no inertia.",
+      Patterns::Bool());
+    add_optional_number(
+      prm,
+      "Time step",
+      time_step,
+      "Duration/Steps",
+      "Duration of the first step of a stage with inertia. The stage has "
+      "at least 'Duration'/'Time step' equal steps, or others by 'Time "
+      "error'. 'Duration/Steps': by 'Steps'.",
+      Unit("time"));
+    prm.add_parameter(
+      "Time error",
+      time_error,
+      "Error of the displacements in a step of a stage with inertia, estimated "
+      "from the change of the accelerations, relative to the displacement in "
+      "the step at the largest velocity so far; steps become shorter above it "
+      "and grow below. Without damping, waves in the wall that an impact has "
+      "left keep steps short. 0: equal steps.",
+      Patterns::Double(),
+      Unit::none());
+    add_parsed(prm,
+               "Initial velocity",
+               "",
+               initial_velocity,
+               parse_velocity,
+               "Velocity at the start of a stage with inertia: the components "
+               "x, y, z as three formulas of the deformed position x, y, z, "
+               "separated by semicolons: '0; 0; -3000' for a fall. Empty: that "
+               "at the end of the stage before.",
+               Unit("length/time"));
+    add_parsed(
+      prm,
+      "Load history",
+      "",
+      histories,
+      parse_histories,
+      "Loads of a stage with inertia as formulas of the time t since its "
+      "start: a list of 'name: formula', separated by semicolons. A name is "
+      "'pressure', 'travel', 'turn', 'load factor', or one of those of 'Load "
+      "factors': 'load factor: sin(200*t)'. They replace the entries of these "
+      "names; all other loads change evenly in the stage.",
+      RestartChange::within_stage);
+    prm.add_parameter("Mass damping",
+                      damping_in_time.of_mass,
+                      "Force per mass and velocity that brakes a shell with "
+                      "inertia: alpha of Rayleigh's damping. It also brakes "
+                      "rigid motions.",
+                      Patterns::Double(),
+                      Unit("1/time"));
+    prm.add_parameter("Stiffness damping",
+                      damping_in_time.of_stiffness,
+                      "Stress of a rate of strain, divided by the stress of "
+                      "such a strain, in a shell with inertia: beta of "
+                      "Rayleigh's damping. It leaves rigid motions as they "
+                      "are.",
+                      Patterns::Double(),
+                      Unit("time"));
+    prm.add_parameter(
+      "Numerical damping",
+      damping_in_time.numerical,
+      "Damping like 'Stiffness damping' of half the time step times this, "
+      "which takes out the vibrations that the steps do not resolve: 0.2 after "
+      "an impact. A vibration of the frequency f has the damping ratio "
+      "1.6 f dt times it.",
+      Patterns::Double(),
+      Unit::none());
+    prm.add_parameter("Contact damping",
+                      damping_in_time.of_contact,
+                      "Part of the pressure of contact by which it is larger "
+                      "on the way in than on the way out, in a stage with "
+                      "inertia: 0 to 1. The springs of 'Contact/"
+                      "Regularization' lose energy by it.",
+                      Patterns::Double(),
+                      Unit::none());
+  }
+
+
+  void
+  StageMotion::complete(const std::string &section,
+                        StageControl      &control,
+                        StageLoads        &loads) const
+  {
+    if (!inertia)
+      return;
+    control.adaptive = time_error > 0;
+    if (time_step && *time_step > 0 && loads.duration > 0)
+      {
+        const double n = std::ceil(loads.duration / *time_step * (1 - 1e-9));
+        if (!(n <= 1e6))
+          throw InputError(section + "/Time step",
+                           number_to_string(*time_step),
+                           "it must be at least 'Duration'/1000000");
+        control.n_steps = std::max(1u, static_cast<unsigned int>(n));
+      }
+    for (const auto &[name, formula] : histories)
+      {
+        const double end = formula({loads.duration});
+        const auto   set = [&](std::optional<double> &load,
+                             const std::string     &entry) {
+          if (load)
+            throw InputError(
+              section + "/" + entry,
+              number_to_string(*load),
+              "it must not be given, since 'Load history' has '" + name + "'");
+          load = end;
+        };
+        if (name == "pressure")
+          set(loads.pressure, "Pressure");
+        else if (name == "travel")
+          set(loads.travel, "Travel");
+        else if (name == "turn")
+          set(loads.turn, "Turn");
+        else if (name == "load factor")
+          set(loads.common_factor, "Load factor");
+        else
+          {
+            std::optional<double> own;
+            for (const auto &[other, factor] : loads.own_factors)
+              if (other == name)
+                own = factor.value_or(0);
+            set(own, "Load factors");
+            loads.own_factors.emplace_back(name, end);
+          }
+      }
+  }
+
+
+  void
+  StageMotion::check(const std::string &section) const
+  {
+    const auto refuse_without_inertia = [&](const bool         given,
+                                            const std::string &entry,
+                                            const std::string &value) {
+      if (given)
+        throw InputError(
+          section + "/" + entry, value, "it needs 'Inertia = true'");
+    };
+    if (!inertia)
+      {
+        refuse_without_inertia(time_step.has_value(),
+                               "Time step",
+                               number_to_string(time_step.value_or(0)));
+        for (const auto &[entry, value] :
+             {std::make_pair("Mass damping", damping_in_time.of_mass),
+              std::make_pair("Stiffness damping", damping_in_time.of_stiffness),
+              std::make_pair("Numerical damping", damping_in_time.numerical),
+              std::make_pair("Contact damping", damping_in_time.of_contact)})
+          refuse_without_inertia(value != 0, entry, number_to_string(value));
+        refuse_without_inertia(
+          !initial_velocity.empty(),
+          "Initial velocity",
+          initial_velocity.empty() ? "" : initial_velocity[0].get_text());
+        refuse_without_inertia(!histories.empty(),
+                               "Load history",
+                               histories.empty() ? "" : histories[0].first);
+        return;
+      }
+    if (time_step)
+      check_positive(section + "/Time step", *time_step);
+    check_not_negative(section + "/Time error", time_error);
+    check_at_most(section + "/Time error", time_error, 1);
+    check_not_negative(section + "/Mass damping", damping_in_time.of_mass);
+    check_not_negative(section + "/Stiffness damping", damping_in_time.of_stiffness);
+    check_not_negative(section + "/Numerical damping", damping_in_time.numerical);
+    check_at_most(section + "/Numerical damping", damping_in_time.numerical, 2);
+    check_not_negative(section + "/Contact damping", damping_in_time.of_contact);
+    check_at_most(section + "/Contact damping", damping_in_time.of_contact, 1);
+  }
+} // namespace Biface
