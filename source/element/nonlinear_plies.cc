@@ -855,21 +855,29 @@ namespace Biface
 
 
   Modes::Vector
-  NonlinearPlies::resultants(const Linearization  &law,
-                             const Modes::Vector  &E,
-                             const HistoryOfPlies &history) const
+  NonlinearPlies::resultants(const Stiffness &stiffness, const Modes::Vector &E)
   {
-    const Modes::Vector dE = E - law.E;
-    Modes::Vector       H  = law.resultants;
+    Modes::Vector H;
     for (const Modes::Group &group : Modes::groups)
       for (unsigned int i = 0; i < group.size; ++i)
         {
           const unsigned int m   = group.first_mode + i;
           double             sum = 0;
           for (unsigned int n = 0; n < Modes::n; ++n)
-            sum += law.stiffness[m][n] * dE[n];
-          H[m] += sum / group.weight(i);
+            sum += stiffness[m][n] * E[n];
+          H[m] = sum / group.weight(i);
         }
+    return H;
+  }
+
+
+  Modes::Vector
+  NonlinearPlies::resultants(const Linearization  &law,
+                             const Modes::Vector  &E,
+                             const HistoryOfPlies &history) const
+  {
+    const Modes::Vector H =
+      law.resultants + resultants(law.stiffness, E - law.E);
 
     // the kink of cords that become slack or taut is kept: linearized across
     // it, their stress would be far from any that they can have

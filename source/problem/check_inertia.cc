@@ -75,6 +75,11 @@ namespace Biface
                section + "/Buckling",
                std::to_string(stage.n_buckling),
                "0, as there is no equilibrium,");
+        // its resultants are no derivatives of an energy
+        refuse(laminate.law == ThicknessLaw::asymmetric,
+               "Laminate/Thickness law",
+               "asymmetric",
+               "'symmetric' or 'full'");
         refuse(mesh.n_coarse > 0,
                "Mesh/Coarse meshes",
                std::to_string(mesh.n_coarse),

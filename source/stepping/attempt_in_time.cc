@@ -96,7 +96,9 @@ namespace Biface
     attempt.state              = run.state;
     attempt.state.step         = step;
     attempt.state.time_step    = run.time_step_to(level);
-    attempt.state.displacement = extrapolated(run.state, step->duration);
+    // a temporary would be moved, without the entries of ghosts
+    const LA::Vector guess     = extrapolated(run.state, step->duration);
+    attempt.state.displacement = guess;
 
     const Loads             loads = run.loads_at(level);
     const ParametrizedLoads given{

@@ -16,12 +16,13 @@ namespace Biface
   CriticalPointSearch::PivotCounts
   CriticalPointSearch::count(const StageRun &run, const Attempt &attempt)
   {
-    // the pivots of the matrix say nothing with dashpots in it, without the
+    // the pivots of the matrix say nothing with dashpots or inertia in it,
+    // without the
     // term of rank one of a gas, or with the stresses at the start of a linear
     // stage
     PivotCounts n;
     if (run.stage.critical_points == CriticalPoints::ignore ||
-        run.stage.damping > 0 || run.stage.sealed ||
+        run.stage.damping > 0 || run.stage.inertia || run.stage.sealed ||
         run.stage.theory == StrainTheory::linear)
       return n;
     n.before              = run.progress.n_negative_pivots;
@@ -37,8 +38,8 @@ namespace Biface
           warn_of_uncounted_pivots(run);
         return n;
       }
-    // dashpots of the stage before hold the state before
-    if (ViscousDamping::is_active(run.state))
+    // dashpots or inertia of the stage before hold the state before
+    if (ViscousDamping::is_active(run.state) || run.starts_from_motion())
       {
         n.before.reset();
         return n;

@@ -18,6 +18,20 @@ namespace Biface
   using namespace dealii;
 
   void
+  StepWarnings::start_stage(const StageRun &run,
+                            const std::optional<unsigned int> & /*before*/)
+  {
+    // energy is kept in a motion away from an unstable equilibrium, too
+    const unsigned int n = run.progress.n_negative_pivots.value_or(0);
+    if (run.stage.inertia && n > 0)
+      out << "  Warning: the equilibrium at the start of " << run.stage.name
+          << " is unstable: its tangent has " << n
+          << (n == 1 ? " negative pivot" : " negative pivots")
+          << ", and a small motion grows" << std::endl;
+  }
+
+
+  void
   StepWarnings::end_step(const StageRun &run, StepReport &report)
   {
     warn_of_pierced_nodes(run, *report.loads);

@@ -126,6 +126,10 @@ namespace Biface
               Stiffness            &result,
               const HistoryOfPlies &history = {}) const;
 
+    /** The resultants of strains with a constant stiffness. */
+    static Modes::Vector
+    resultants(const Stiffness &stiffness, const Modes::Vector &E);
+
     /** The law about given strains. */
     struct Linearization
     {

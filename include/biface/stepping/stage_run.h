@@ -78,6 +78,14 @@ namespace Biface
       return control->done() >= 1;
     }
 
+    /** Whether the last converged step was one in time, so that its state is
+     * not in equilibrium with the loads of this stage. */
+    bool
+    starts_from_motion() const
+    {
+      return control->done() == 0 && before && before->inertia;
+    }
+
     /** The completed part of the stage. */
     Instant
     instant() const

@@ -5,6 +5,7 @@
 
 #include <deal.II/base/conditional_ostream.h>
 
+#include <optional>
 #include <set>
 #include <string>
 
@@ -19,6 +20,10 @@ namespace Biface
     /** @param out kept by reference. */
     explicit StepWarnings(dealii::ConditionalOStream &out) : out(out)
     {}
+
+    void
+    start_stage(const StageRun                    &run,
+                const std::optional<unsigned int> &before) override;
 
     void
     end_step(const StageRun &run, StepReport &report) override;

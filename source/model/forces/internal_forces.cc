@@ -159,36 +159,48 @@ namespace Biface
   }
 
 
-  Modes::Vector
-  InternalForces::initial_law(const Cell &cell, const Modes::Vector &E) const
+  std::optional<Modes::Matrix>
+  InternalForces::initial_stiffness(const Cell &cell) const
   {
-    if (nonlinear_plies(cell).all_linear())
-      return stiffness_of(cell).resultants(E);
-    return ModeStiffness(mesh.strips[cell.strip].laminate.stiffness(),
-                         mesh.sampling,
-                         cell.geometry.tangents())
-      .resultants(E);
+    const NonlinearPlies &plies = nonlinear_plies(cell);
+    if (plies.all_linear())
+      return {};
+    Modes::Matrix result;
+    plies.stiffness(Modes::Vector(), result);
+    return result;
   }
 
 
   Modes::Vector
-  InternalForces::resultants_over_step(const CellState     &end,
-                                       const Modes::Vector &E_0,
-                                       const Modes::Vector &E_1,
-                                       const Modes::Vector &change) const
+  InternalForces::initial_law(const Cell                         &cell,
+                              const std::optional<Modes::Matrix> &of_plies,
+                              const Modes::Vector                &E) const
   {
-    const unsigned int  c    = end.index;
-    const Modes::Vector mean = (E_0 + E_1) / 2;
-    Modes::Vector       H    = resultants_of(end.state, c, mean);
-    if (nonlinear_plies(end.cell).all_linear())
+    Modes::Vector H = stiffness_of(cell).resultants(E);
+    if (of_plies)
+      H += NonlinearPlies::resultants(*of_plies, E);
+    return H;
+  }
+
+
+  Modes::Vector
+  InternalForces::resultants_over_step(
+    const CellState                    &end,
+    const std::optional<Modes::Matrix> &of_plies,
+    const Modes::Vector                &E_0,
+    const Modes::Vector                &E_1,
+    const Modes::Vector                &change) const
+  {
+    const unsigned int c = end.index;
+    Modes::Vector      H = resultants_of(end.state, c, (E_0 + E_1) / 2);
+    if (!of_plies)
       return H;
     // Gonzalez's discrete gradient, with the law at small strains as the metric
-    const Modes::Vector correction = initial_law(end.cell, change);
-    const double        square     = Modes::mean_product(correction, change);
-    const double        energy_0   = energy_of(end.state, c, E_0),
+    const Modes::Vector correction = initial_law(end.cell, of_plies, change);
+    const double        square     = Modes::mean_product(correction, change),
+                 energy_0          = energy_of(end.state, c, E_0),
                  energy_1          = energy_of(end.state, c, E_1),
-                 work              = Modes::mean_product(H, change);
-    const double missing           = energy_1 - energy_0 - work;
+                 missing = energy_1 - energy_0 - Modes::mean_product(H, change);
     // what is left of the difference by round-off is no force
     constexpr double roundoff = 64 * std::numeric_limits<double>::epsilon();
     if (square > 0 && std::abs(missing) >
@@ -209,9 +221,10 @@ namespace Biface
                         E_1    = strains_of({end.cell.geometry, end.V}, c),
                         change = E_1 - E_0,
                         &H_0   = initial_resultants(end.state)[c];
-    Modes::Vector H            = resultants_over_step(end, E_0, E_1, change);
+    const auto    of_plies     = initial_stiffness(end.cell);
+    Modes::Vector H = resultants_over_step(end, of_plies, E_0, E_1, change);
     if (part != 0.5)
-      H += (part - 0.5) * initial_law(end.cell, change);
+      H += (part - 0.5) * initial_law(end.cell, of_plies, change);
     const MixedElement              element(end.cell.geometry, start.V, end.V);
     const MixedElement::NodalVector force = element.internal_force(H, H_0);
     forces.force -= force;
@@ -219,22 +232,27 @@ namespace Biface
     if (!forces.with_tangent)
       return;
 
-    // half of the tangent halfway, where the law has 2 kappa times its
-    // stiffness; symmetric, with the derivative of the strains halfway instead
-    // of that at the end
-    const NonlinearPlies &plies = nonlinear_plies(end.cell);
-    CellForces            halfway;
+    // kappa times the tangent halfway for resultants divided by 2 kappa;
+    // symmetric, with the derivative of the strains halfway instead of that at
+    // the end
+    CellForces halfway;
     halfway.clear();
-    NonlinearPlies::Stiffness added;
-    const bool                any =
-      !plies.all_linear() &&
-      plies.stiffness(initial_strain(end.state, c) + (E_0 + E_1) / 2,
-                      added,
-                      history(end.state, c));
+    NonlinearPlies::Stiffness of_step;
+    if (of_plies)
+      {
+        nonlinear_plies(end.cell).stiffness(initial_strain(end.state, c) +
+                                              (E_0 + E_1) / 2,
+                                            of_step,
+                                            history(end.state, c));
+        for (unsigned int m = 0; m < Modes::n; ++m)
+          for (unsigned int n = 0; n < Modes::n; ++n)
+            of_step[m][n] =
+              (of_step[m][n] / 2 + (part - 0.5) * (*of_plies)[m][n]) / part;
+      }
     element.add_tangent(stiffness_of(end.cell),
                         (H + H_0) / (2 * part),
                         halfway.tangent,
-                        any ? &added : nullptr);
+                        of_plies ? &of_step : nullptr);
     for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
       for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
         forces.tangent[i][j] += part * halfway.tangent[i][j];
@@ -250,7 +268,10 @@ namespace Biface
       {
         const Modes::Vector change = strains(state, c) - strains(step.start, c);
         sum += mesh.cells[c].geometry.weight *
-               Modes::mean_product(initial_law(mesh.cells[c], change), change);
+               Modes::mean_product(initial_law(mesh.cells[c],
+                                               initial_stiffness(mesh.cells[c]),
+                                               change),
+                                   change);
       }
     return (step.weight_of_end() - 0.5) * sum;
   }

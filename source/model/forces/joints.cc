@@ -265,15 +265,28 @@ namespace Biface
   }
 
 
+  namespace
+  {
+    /** The length of a director across the line. */
+    double
+    length_across(const JointAngle::Vectors &undeformed,
+                  const JointAngle::Vectors &change,
+                  const unsigned int         k)
+    {
+      const Tensor<1, 3> w = undeformed[k] + change[k],
+                         t = undeformed[2] + change[2];
+      return std::sqrt(w.norm_square() - (w * t) * (w * t) / t.norm_square());
+    }
+  } // namespace
+
+
   void
   Joints::add_over_step(const CellState &start,
                         const CellState &end_of_step,
                         CellForces      &forces) const
   {
-    // turning steps are small
-    constexpr double largest_error = 0.05;
-
-    const Pair &pair = pairs[end_of_step.index];
+    const Pair  &pair = pairs[end_of_step.index];
+    const double part = end_of_step.state.step->weight_of_end();
     for (unsigned int end = 0; end < 2; ++end)
       {
         const double stiffness = pair.stiffness[end];
@@ -286,22 +299,26 @@ namespace Biface
         for (unsigned int k = 0; k < 3; ++k)
           halfway[k] = (first[k] + last[k]) / 2;
         const double angle_0 = JointAngle(at_rest, first).angle,
-                     angle_1 = JointAngle(at_rest, last).angle;
-        const JointAngle joint(at_rest, halfway);
-        // the mean moment on the change of the angle is that of the energy; the
-        // gradient halfway, which takes part in rigid motions, gives this
-        // change up to the third order
-        double by_gradient = 0;
-        for (unsigned int k = 0; k < 3; ++k)
-          by_gradient += joint.gradient[k] * (last[k] - first[k]);
-        const double turn = angle_1 - angle_0;
-        const double ratio =
-          std::abs(turn - by_gradient) <= largest_error * std::abs(by_gradient)
-            ? turn / by_gradient
-            : 1;
-        const double part   = end_of_step.state.step->weight_of_end();
-        const double moment = ratio * stiffness * (angle_0 + part * turn);
-        add_moment(pair, end, joint, moment, 2 * part * stiffness, 0.5, forces);
+                     angle_1 = JointAngle(at_rest, last).angle,
+                     turn    = angle_1 - angle_0;
+        // The mean moment on the change of the angle is the change of the
+        // energy. The gradient halfway, which takes part in rigid motions,
+        // gives this change but for a factor, if directors turn about one axis:
+        // the product of the cosines of half of their rotations and of an angle
+        // over its sine
+        double factor = (std::abs(turn) > 1e-4 ? turn / 2 / std::sin(turn / 2)
+                                               : 1 + turn * turn / 24);
+        for (unsigned int k = 0; k < 2; ++k)
+          factor *= 2 * length_across(at_rest, halfway, k) /
+                    (length_across(at_rest, first, k) +
+                     length_across(at_rest, last, k));
+        add_moment(pair,
+                   end,
+                   JointAngle(at_rest, halfway),
+                   factor * stiffness * (angle_0 + part * turn),
+                   2 * part * stiffness,
+                   0.5,
+                   forces);
       }
   }
 

@@ -4,6 +4,7 @@
 #define biface_model_forces_internal_forces_h
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include <biface/element/modes.h>
@@ -290,16 +291,26 @@ namespace Biface
 
     /** The resultants over a StepInTime without its damping, from one set of
      * strains to another.
+     * @param of_plies see initial_stiffness().
      * @param change the strains @p E_1 without @p E_0. */
     Modes::Vector
-    resultants_over_step(const CellState     &end,
-                         const Modes::Vector &E_0,
-                         const Modes::Vector &E_1,
-                         const Modes::Vector &change) const;
+    resultants_over_step(const CellState                    &end,
+                         const std::optional<Modes::Matrix> &of_plies,
+                         const Modes::Vector                &E_0,
+                         const Modes::Vector                &E_1,
+                         const Modes::Vector                &change) const;
 
-    /** The law of a cell at small strains. */
+    /** The stiffness at small strains of the plies of a cell that are not
+     * linear; null if all are. */
+    std::optional<Modes::Matrix>
+    initial_stiffness(const Cell &cell) const;
+
+    /** The law of a cell at small strains.
+     * @param of_plies see initial_stiffness(). */
     Modes::Vector
-    initial_law(const Cell &cell, const Modes::Vector &E) const;
+    initial_law(const Cell                         &cell,
+                const std::optional<Modes::Matrix> &of_plies,
+                const Modes::Vector                &E) const;
 
     /** Add the tangent of a cell.
      * @param E the strains at which the law is linearized. */

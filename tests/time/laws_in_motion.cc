@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// In the free flight of a curved panel, energy and both momenta are constant
+// for every element, several layers, rubber, and cords that go slack; with
+// damping, what it dissipates is what is missing.
+
+#include <deal.II/base/mpi.h>
+
+#include "motion.h"
+
+using namespace dealii;
+
+namespace
+{
+  void
+  check(const std::string              &name,
+        const std::string              &file,
+        const std::vector<std::string> &settings,
+        const bool                      damped = false)
+  {
+    std::vector<std::string> words{std::string(DATA_DIR "/") + file};
+    words.insert(words.end(), settings.begin(), settings.end());
+    std::cout << name << '\n';
+    const Motion motion = move(words, "flight", MPI_COMM_SELF);
+    check_balance(motion, 1e-11);
+    if (damped)
+      check_momenta(motion, "free", 1e-11);
+    else
+      check_constants(motion, "free", 1e-11);
+  }
+} // namespace
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  const std::string panel  = "flying_panel.prm";
+  const std::string normal = "Element/Thickness strain=normal",
+                    layers = "Laminate/Layers=1, 1";
+  const std::vector<std::string> damping{"Stage 1/Mass damping=10",
+                                         "Stage 1/Stiffness damping=1e-5",
+                                         "Stage 2/Numerical damping=0.2"};
+  check("means", panel, {});
+  check("vertices", panel, {"Element/Strain sampling=vertices"});
+  check("mean director", panel, {"Element/Thickness strain=mean director"});
+  check("normal thickness strain", panel, {normal});
+  check("layers", panel, {layers});
+  check("damping", panel, damping, true);
+  check("rubber", "flying_panel_of_rubber.prm", {});
+  check("layers of rubber", "flying_panel_of_rubber.prm", {normal, layers});
+  check("rubber with damping", "flying_panel_of_rubber.prm", damping, true);
+  check("cords", "flying_panel_of_cords.prm", {});
+  check("cords with damping", "flying_panel_of_cords.prm", damping, true);
+}
