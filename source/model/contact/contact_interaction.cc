@@ -58,7 +58,6 @@ namespace Biface
     const ShellMesh &mesh, const std::vector<ContactParameters> &parameters)
     : mesh(mesh), pairs(make_pairs(mesh, parameters))
   {
-    Assert(!pairs.empty(), ExcInternalError());
   }
 
 

@@ -21,6 +21,17 @@ namespace Biface
 
   namespace
   {
+    /** A vector with the entries of all nodes of this rank. A temporary that is
+     * assigned would be moved, without those of ghosts. */
+    LA::Vector
+    with_ghosts(const ShellMesh &mesh, const LA::Vector &owned)
+    {
+      LA::Vector result = mesh.ghosted_vector();
+      result            = owned;
+      return result;
+    }
+
+
     /** The product @f$\mathbf v\cdot\mathbf M\,\mathbf v@f$, where v has the
      * entries of all nodes of this rank. */
     double
@@ -33,9 +44,7 @@ namespace Biface
     double
     mass_product_of_owned(const ShellMesh &mesh, const LA::Vector &owned)
     {
-      LA::Vector v = mesh.ghosted_vector();
-      v            = owned;
-      return mass_product(mesh, v);
+      return mass_product(mesh, with_ghosts(mesh, owned));
     }
 
 
@@ -162,10 +171,8 @@ namespace Biface
 
     // the velocity that has the largest energy of the motion, with that of the
     // end of this step
-    State end            = state;
-    end.velocity         = mesh.ghosted_vector();
-    end.velocity         = step.velocity(state);
-    const double kinetic = mass_product(mesh, end.velocity) / 2,
+    const double kinetic =
+                   mass_product_of_owned(mesh, step.velocity(state)) / 2,
                  energy =
                    std::max(last[largest_energy],
                             kinetic + std::abs(equations.strain_energy(state) -
@@ -198,8 +205,7 @@ namespace Biface
       term.numbers[largest_energy],
       kinetic + std::abs(strain_energy - term.numbers[strain_energy_at_start]));
 
-    LA::Vector acceleration = mesh.ghosted_vector();
-    acceleration            = step.acceleration(state);
+    const LA::Vector acceleration = with_ghosts(mesh, step.acceleration(state));
     term.at_nodes.reinit(mesh.nodes.size(), mesh.n_dofs_per_node());
     for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
       for (unsigned int i = 0; i < mesh.nodes[n].dofs.size(); ++i)

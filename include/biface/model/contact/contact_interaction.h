@@ -29,7 +29,8 @@ namespace Biface
   public:
     /** The contact with the given pairs. The mesh is kept by reference. Throws
      * InputError if the parameters are invalid.
-     * @param parameters those of each pair, the ground first. */
+     * @param parameters those of each pair, the ground first; none for a shell
+     * that touches nothing, or whose contact does not matter. */
     ContactInteraction(const ShellMesh                      &mesh,
                        const std::vector<ContactParameters> &parameters);
 
