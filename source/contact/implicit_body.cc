@@ -13,13 +13,13 @@ namespace Biface
   namespace
   {
     /** The outward normal of a surface and its derivative along the surface. */
-    struct SurfacePoint
+    struct SurfaceNormal
     {
       double                slope;
       Tensor<1, 3>          normal;
       SymmetricTensor<2, 3> curvature;
 
-      explicit SurfacePoint(const ImplicitSurface::Derivatives &at)
+      explicit SurfaceNormal(const ImplicitSurface::Derivatives &at)
         : slope(at.gradient.norm())
         , normal(slope > 0 ? at.gradient / slope : Tensor<1, 3>({1., 0., 0.}))
       {
@@ -84,9 +84,9 @@ namespace Biface
       return closest;
     });
 
-    const SurfacePoint at(surface->derivatives(closest));
-    const double       sign     = (is_inside ? -1 : 1);
-    Tensor<1, 3>       gradient = at.normal;
+    const SurfaceNormal at(surface->derivatives(closest));
+    const double        sign     = (is_inside ? -1 : 1);
+    Tensor<1, 3>        gradient = at.normal;
     // no foot of a perpendicular, such as an edge; at the surface, round-off
     if (at.normal * (y - closest) * sign <
         0.9 * distance - 1e-8 * surface->length())
@@ -108,10 +108,10 @@ namespace Biface
   {
     for (unsigned int iteration = 0; iteration < 50; ++iteration)
       {
-        const SurfacePoint at(surface->derivatives(y));
-        const Tensor<1, 3> way       = x - y;
-        const double       clearance = way * at.normal;
-        const Tensor<1, 3> step =
+        const SurfaceNormal at(surface->derivatives(y));
+        const Tensor<1, 3>  way       = x - y;
+        const double        clearance = way * at.normal;
+        const Tensor<1, 3>  step =
           downhill_step(at.stretch(clearance), way - clearance * at.normal);
         if (!std::isfinite(step.norm()))
           break;
