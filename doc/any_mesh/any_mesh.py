@@ -14,6 +14,8 @@ from scipy.integrate import solve_bvp
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from example_page import biface, parse_arguments, table
 from meshes import Runner, at, displacement, isotropic, joined, mapped
+from published import (large_table, modes_table, nafems_table, other_table,
+                       thin_elliptic_membrane)
 
 PAGE = """<!-- Written by doc/any_mesh/any_mesh.py: cmake --build build --target any_mesh -->
 
@@ -101,6 +103,66 @@ edges along them; on *graded* ones opposite edges are divided 1 : 2 : … : n in
 Large displacements of the hemisphere at P = 400, in one step; the last column is the number of iterations:
 
 {nonlinear}
+
+## Benchmarks of NAFEMS
+
+{nafems}
+
+- LE1 @cite NAFEMS1990 , a quarter of an elliptic plate with an elliptic hole, 0.1 m thick, with semiaxes of 3.25 × 2.75 m and
+  2 × 1 m, pulled at its outer edge by 10 MPa: the stress along the edge of the hole at D. The target is that of plane stress. In
+  biface the wall thins continuously from place to place, which raises the peak by terms of the thickness: 0.001 m thick, the last regular mesh has
+  {thin}. The rest is the stress at a node of a free edge, which is of first order in the size of the cells.
+- LE2 @cite NAFEMS1990 , 30 degrees of a cylinder of radius 1 m, 0.5 m long and 0.01 m thick, clamped along one generator, with planes of
+  symmetry at both ends. Along the other generator there are 1 kN m/m, or 60 MPa in the direction of the tangent, with a pressure of 0.6 MPa on the wall.
+  The tangent is given in Cartesian components: at a free edge, `local` is along the last cell. Under a
+  membrane force N, the stresses on the faces differ from N/h by $`\\pm\\tfrac32 N/R`$, here 1.5 %, since plies are integrated over
+  the lengths of the middle surface ([`Laminate/Integrals`](parameters.md#laminate)).
+- LE3 @cite NAFEMS1990 , a closed hemisphere of radius 10 m, 0.04 m thick, E = 68.25 GPa, with 2 kN outward at A and inward at C on a quarter, which is
+  three patches of cells. The force over the modulus is twice that of MacNeal and Harder @cite MacNealHarder1985 , and so is the
+  displacement: theirs is 0.0924.
+- R0031/1 @cite NAFEMSR0031 , a strip [0/90/0/90/0/90/0] of 30 mm between supports, 10 mm wide and 1 mm thick (the middle ply 0.4 mm,
+  the others 0.1 mm), under 10 N/mm at midspan: deflection, stress on the tensile side at midspan, and shear stress between the two
+  lowest plies 4 mm away. The bending moment has a kink at the load, which cells round off.
+
+Frequencies of square plates, 10 m wide and 0.05 m thick (E = 200 GPa, ν = 0.3, 8000 kg/m³), with 8 × 8, 16 × 16 and 32 × 32
+cells. By Ritz's method with polynomials, some of the published values are up to {excess} % too high for thin plates:
+
+{modes}
+
+## Other linear benchmarks
+
+{other}
+
+- Cook's membrane @cite Cook1974 , 48 wide, 44 and 16 high, 1 thick, E = 1, ν = 1/3, under the shear force 1, without units: the displacement of
+  the middle of its end. 23.96 is the limit of fine meshes in the literature.
+- Skew plate of Morley @cite Morley1963 of side a and thickness h under a uniform load q, simply supported: 1000 w D/(q a⁴) at its center. For thin plates,
+  0.408 is the value of Morley and that of two problems of membranes, solved by Ritz's method. At h/a = 1/100 it is 4 % more, since the edges are free to
+  twist: 0.424 is that of the theory of Reissner and Mindlin by Ritz's method with polynomials of degree 40. Moments
+  are infinite at the obtuse corners; the cells are small at the edges.
+- Raasch's hook @cite Knight1997 , two arcs with radii of 14 and 46 in, 20 in wide and 2 in thick, E = 3300 psi, ν = 0.35, under 1 lb along the width at its
+  end, with `Transverse shear = equilibrium`. 5.02 in is the value of solid elements in the Abaqus Benchmarks Guide. Knight's is
+  4.9352 in; the last random mesh has {hook} of it.
+- Hyperboloid r² = 1 + y², −1 ≤ y ≤ 1 (m), E = 200 GPa, ν = 1/3, under the pressure cos 2θ MPa @cite HillerBathe2003 : the strain energy. The targets are those of
+  three-dimensional elasticity by Ritz's method, with polynomials of degree 46 along the meridian and 2 across the wall. With free
+  ends the shell bends without stretching.
+
+## Large displacements
+
+{large}
+
+The values of Sze, Liu and Lo @cite SzeLiuLo2004 are those in [verification.md](verification.md), which has the same cases on lines of coordinates
+and the reasons of deviations of the order of h². There are no units:
+
+- a plate of radii 6 and 10 and thickness 0.03, E = 21·10⁶, ν = 0, lifted by 0.8 per length at one lip of a slit, the other being clamped, in one step. The slit is
+  0.004° wide, since nodes at the same place are refused;
+- a cylinder of radius 4.953, length 10.35 and thickness 0.094, E = 10.5·10⁶, ν = 0.3125, pulled by two forces P = 40000 in 20 steps:
+  displacements under a force, a quarter turn away from it, and at the end;
+- roofs of radius 2540, half angle 0.1 rad and half length 254, E = 3102.75, ν = 0.3, hinged along their straight edges, that snap through under a
+  force at their center, with arc length control: the first maximum and, for h = 12.7, the minimum of the force over 3000.
+
+![A hook, a slit annular plate and a pulled cylinder, deformed, on irregular meshes](figures/any_mesh.png)
+
+*Raasch's hook with ten times its displacements, the slit annular plate and the pulled cylinder, on random meshes.*
 
 ## Folds
 
@@ -451,8 +513,12 @@ def hole_table(arguments):
 def main():
     arguments = parse_arguments("any_mesh", __doc__)
     runner = Runner(arguments)
+    modes, excess = modes_table(runner)
+    other, hook = other_table(runner)
     (arguments.output / "any_mesh.md").write_text(PAGE.format(
         linear=linear_table(runner), nonlinear=nonlinear_table(runner),
+        nafems=nafems_table(runner), thin=thin_elliptic_membrane(runner),
+        modes=modes, excess=excess, other=other, hook=hook, large=large_table(runner),
         folded_strip=folded_strip_table(runner), torsion=torsion_of_tube(runner),
         z_section=z_section_table(runner), nozzle=nozzle_table(runner), hole=hole_table(arguments)))
 
