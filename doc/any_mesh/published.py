@@ -430,7 +430,8 @@ def open_cylinder(runner, kind, size):
     """Displacements under the force, beside it and at the end over those of Sze, at a quarter
     of the load and at the whole load, and the iterations."""
     results = runner.run(
-        f"open_cylinder_{kind}_{size[0]}", mapped(cylinder(4.953, 5.175, np.pi / 2), *size, kind),
+        f"open_cylinder_{kind}_{size[0]}",
+        mapped(cylinder(4.953, 5.175, np.pi / 2), *size, kind),
         {**isotropic(10.5e6, 0.3125, 0.094), **NONLINEAR,
          "Supports/Edge supports": "west: symmetry x, south: symmetry y, north: symmetry z",
          "Loads/Point forces": "A: 0 0 10000", "Stage 1/Steps": 20, "Output/Write VTU": True})
