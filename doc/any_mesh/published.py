@@ -385,7 +385,8 @@ def other_table(runner):
     for ends, clamped in (("free", False), ("clamped", True)):
         for thickness in (0.01, 0.001):
             energy = energy_of_hyperboloid(thickness, clamped)
-            rows += rows_of(f"hyperboloid, {ends} ends, h = {thickness}", f"{energy:.3e} J".replace("e+0", "e"), sizes,
+            rows += rows_of(f"hyperboloid, {ends} ends, h = {thickness}",
+                            f"{energy:.3e} J".replace("e+0", "e"), sizes,
                             {kind: [hyperboloid(runner, kind, n, thickness, clamped) / energy
                                     for n, _ in sizes] for kind in KINDS})
     return (table(["Case", "Mesh", "Cells", "Target", "Computed over target"], rows),
