@@ -191,7 +191,9 @@ namespace Biface
           const std::string &name = factor.first;
           if (known.count(name) == 0)
             throw InputError(
-              entry(i),
+              stages[i].has_history(name)
+                ? "Stage " + std::to_string(i + 1) + "/Load history"
+                : entry(i),
               name,
               items.empty()
                 ? "there are no loads, except the pressure, no "

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
 #include <memory>
 #include <string>
 
+#include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/mesh/supports.h>
@@ -30,6 +34,8 @@ namespace Biface
     LA::Vector       velocity = mesh.owned_vector();
     if (state.velocity.size() > 0)
       velocity = owned_part(state.velocity);
+    // the same on all ranks, also where a formula has no value on one of them
+    bool is_finite = true;
     if (!run.stage.initial_velocity.empty())
       for (const Node &node : mesh.nodes)
         if (node.locally_owned)
@@ -41,7 +47,9 @@ namespace Biface
                   mesh.position_of_any_face(state.displacement, node, face);
                 Tensor<1, 3> v;
                 for (unsigned int i = 0; i < 3; ++i)
-                  v[i] = run.stage.initial_velocity[i]({x[0], x[1], x[2]});
+                  v[i] =
+                    run.stage.initial_velocity[i].unchecked({x[0], x[1], x[2]});
+                is_finite = is_finite && std::isfinite(v.norm());
                 of_faces.push_back(node.surface.to_frame(v));
               }
             // the mean of the outermost faces, and half the differences over
@@ -55,6 +63,13 @@ namespace Biface
                     (of_faces[part][i] - of_faces[part - 1][i]) / 2;
               }
           }
+    if (Utilities::MPI::logical_or(!is_finite, mesh.communicator))
+      throw InputError("Stage " + std::to_string(run.progress.stage + 1) +
+                         "/Initial velocity",
+                       run.stage.initial_velocity[0].get_text() + "; " +
+                         run.stage.initial_velocity[1].get_text() + "; " +
+                         run.stage.initial_velocity[2].get_text(),
+                       "it must be finite at all nodes");
     velocity.compress(VectorOperation::insert);
     mesh.constraints.distribute(velocity);
     // supports that are moved have their velocity at once: otherwise they would
@@ -91,11 +106,11 @@ namespace Biface
     step->middle.factors   = middle.factors;
 
     Attempt attempt;
-    attempt.mu                 = trial.mu;
-    attempt.level              = level;
-    attempt.state              = run.state;
-    attempt.state.step         = step;
-    attempt.state.time_step    = run.time_step_to(level);
+    attempt.mu              = trial.mu;
+    attempt.level           = level;
+    attempt.state           = run.state;
+    attempt.state.step      = step;
+    attempt.state.time_step = run.time_step_to(level);
     // a temporary would be moved, without the entries of ghosts
     const LA::Vector guess     = extrapolated(run.state, step->duration);
     attempt.state.displacement = guess;

@@ -54,6 +54,16 @@ namespace Biface
   } // namespace
 
 
+  bool
+  StageMotion::has_history(const std::string &name) const
+  {
+    return std::any_of(
+      histories.begin(), histories.end(), [&](const auto &history) {
+        return history.first == name;
+      });
+  }
+
+
   void
   StageMotion::add_parameters(EntryDeclarations &prm)
   {
@@ -226,10 +236,13 @@ namespace Biface
     check_not_negative(section + "/Time error", time_error);
     check_at_most(section + "/Time error", time_error, 1);
     check_not_negative(section + "/Mass damping", damping_in_time.of_mass);
-    check_not_negative(section + "/Stiffness damping", damping_in_time.of_stiffness);
-    check_not_negative(section + "/Numerical damping", damping_in_time.numerical);
+    check_not_negative(section + "/Stiffness damping",
+                       damping_in_time.of_stiffness);
+    check_not_negative(section + "/Numerical damping",
+                       damping_in_time.numerical);
     check_at_most(section + "/Numerical damping", damping_in_time.numerical, 2);
-    check_not_negative(section + "/Contact damping", damping_in_time.of_contact);
+    check_not_negative(section + "/Contact damping",
+                       damping_in_time.of_contact);
     check_at_most(section + "/Contact damping", damping_in_time.of_contact, 1);
   }
 } // namespace Biface

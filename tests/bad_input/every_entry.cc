@@ -67,6 +67,10 @@ namespace
     return settings;
   }
 
+  const Settings in_motion{{"Stage 1/Inertia", "true"},
+                           {"Stage 1/Duration", "1"},
+                           {"Material rubber/Density", "1"}};
+
   const Settings cords_in_neo_Hooke{
     {"Material rubber/Type", "transversely isotropic"},
     {"Material rubber/Matrix", "neo-Hooke"},
@@ -592,6 +596,24 @@ namespace
     {"Heat/Air film", {{{"-1"}}}},
     {"Heat/Ground film", {{{"-1"}}}},
     {"Stage 1/Duration", {{{"-1"}}}},
+    {"Stage 1/Inertia", {{{"true"}}}},
+    {"Stage 1/Time step", {{{"1", "0", "-1"}}, {{"0", "-1"}, in_motion}}},
+    {"Stage 1/Time error", {{{"-1", "2"}, in_motion}}},
+    {"Stage 1/Initial velocity",
+     {{{"1; 0; 0"}},
+      {{"1", "1; 0", "1; 0; 0; 0", "1; 0; q", "1/0; 0; 0"}, in_motion}}},
+    {"Stage 1/Load history",
+     {{{"travel: t"}},
+      {{"load factor",
+        "load factor: q",
+        "load factor: t; load factor: 2*t",
+        "flow: t",
+        "load factor: 1/0"},
+       in_motion}}},
+    {"Stage 1/Mass damping", {{{"1", "-1"}}, {{"-1"}, in_motion}}},
+    {"Stage 1/Stiffness damping", {{{"1", "-1"}}, {{"-1"}, in_motion}}},
+    {"Stage 1/Numerical damping", {{{"1", "-1"}}, {{"-1", "3"}, in_motion}}},
+    {"Stage 1/Contact damping", {{{"1", "-1"}}, {{"-1", "2"}, in_motion}}},
     {"Material rubber/Matrix", {{{"neo-Hooke"}}}},
     {"Material rubber/Cord curve", {{{"no_such_file.csv", "/", long_word}}}},
     {"Material rubber/E_T", {{{"1"}, cords_in_neo_Hooke}}},

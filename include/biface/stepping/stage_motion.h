@@ -40,6 +40,10 @@ namespace Biface
      * 'pressure', 'travel', 'turn', 'load factor' or one of 'Load factors'. */
     std::vector<std::pair<std::string, Formula>> histories;
 
+    /** Whether the load of a name follows a formula. */
+    bool
+    has_history(const std::string &name) const;
+
     void
     add_parameters(EntryDeclarations &prm);
 
