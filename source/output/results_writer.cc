@@ -32,6 +32,14 @@ namespace Biface
                       "Directory of the results. It is created if it does not "
                       "exist; results of an earlier run in it are removed.",
                       Patterns::Anything());
+    prm.add_parameter(
+      "Every",
+      every,
+      "Write the files of single steps (contact-NNNN.csv, profile-NNNN.csv, "
+      "plies-NNNN.csv and those for ParaView) in every step whose number is a "
+      "multiple of this, and in the last step of each stage. Tables have all "
+      "steps.",
+      Patterns::Integer(1));
     forces.add_parameters(prm);
     profile.add_parameters(prm);
     shell_vtu.add_parameters(prm);
@@ -48,7 +56,7 @@ namespace Biface
                                const Cavity                 *cavity,
                                const unsigned int            n_sensitivities,
                                const std::optional<Written> &continued)
-    : directory(directory)
+    : every(parameters.every), directory(directory)
   {
     const auto add = [this](auto file) { files.push_back(std::move(file)); };
     auto       history_file = std::make_unique<HistoryFile>(
@@ -144,7 +152,8 @@ namespace Biface
         if ((*file)->is_wanted() && (*file)->is_table() == tables)
           (*file)->write_step(report, state);
     };
-    write(false);
+    if (report.step % every == 0 || report.instant.fraction >= 1)
+      write(false);
     for (const auto &file : files)
       file->complete_step();
     write(true);

@@ -80,6 +80,12 @@ namespace Biface
                "Laminate/Thickness law",
                "asymmetric",
                "'symmetric' or 'full'");
+        // its forces on the nodes have no energy
+        refuse((stage.contact || !stage.bodies.empty()) &&
+                 contact.condition.mortar_matrix == MortarMatrix::consistent,
+               "Contact/Multiplier mass",
+               "consistent",
+               "'lumped'");
         refuse(mesh.n_coarse > 0,
                "Mesh/Coarse meshes",
                std::to_string(mesh.n_coarse),

@@ -198,7 +198,11 @@ namespace Biface
               items.empty()
                 ? "there are no loads, except the pressure, no "
                   "prescribed displacements and no motions of bodies"
-                : "it must be one of " + in_words(items));
+                : std::string("it must be ") +
+                    (stages[i].has_history(name)
+                       ? "'pressure', 'travel', 'turn', 'load factor' or "
+                       : "") +
+                    "one of " + in_words(items));
           positions[name] = 0;
         }
     for (unsigned int i = 0; i < stages.size(); ++i)

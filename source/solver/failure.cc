@@ -35,7 +35,7 @@ namespace Biface
     turning_points(const InUse &in_use)
     {
       const std::string start = "; if the shell snaps through or buckles, ";
-      if (in_use.arc_length_control)
+      if (in_use.arc_length_control || in_use.in_time)
         return {};
       if (in_use.displacement_control)
         return start + "'Control = arc length', which also passes turning "

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -90,6 +92,41 @@ namespace Biface
   }
 
 
+  namespace
+  {
+    /** Whether the value of a load in the middle of a step is not its mean in
+     * the step. */
+    bool
+    loads_change_unevenly(const Control::Trial &trial, const LoadLevel &middle)
+    {
+      // of the largest value in the step
+      constexpr double remarkable = 0.1;
+
+      const QGauss<1>     rule(8);
+      const unsigned int  n_factors = middle.factors.size();
+      std::vector<double> mean(n_factors + 1), largest(n_factors + 1);
+      for (unsigned int q = 0; q < rule.size(); ++q)
+        {
+          const LoadLevel level =
+            trial.level({trial.mu[0] - (1 - rule.point(q)[0]) * trial.size});
+          for (unsigned int i = 0; i <= n_factors; ++i)
+            {
+              const double value =
+                (i < n_factors ? level.factors[i] : level.pressure);
+              mean[i] += rule.weight(q) * value;
+              largest[i] = std::max(largest[i], std::abs(value));
+            }
+        }
+      for (unsigned int i = 0; i <= n_factors; ++i)
+        if (!(std::abs(mean[i] -
+                       (i < n_factors ? middle.factors[i] : middle.pressure)) <=
+              remarkable * largest[i]))
+          return true;
+      return false;
+    }
+  } // namespace
+
+
   Attempt
   attempt_step_in_time(Newton               &newton,
                        const StageRun       &run,
@@ -106,8 +143,15 @@ namespace Biface
     step->middle.factors   = middle.factors;
 
     Attempt attempt;
-    attempt.mu              = trial.mu;
-    attempt.level           = level;
+    attempt.mu    = trial.mu;
+    attempt.level = level;
+    if (run.stage.time_error > 0 && loads_change_unevenly(trial, middle))
+      {
+        attempt.result.failure = {FailureCause::error_in_time,
+                                  "the loads change too unevenly in the step"};
+        attempt.error_in_time  = 4 * run.stage.time_error;
+        return attempt;
+      }
     attempt.state           = run.state;
     attempt.state.step      = step;
     attempt.state.time_step = run.time_step_to(level);

@@ -260,6 +260,13 @@ namespace Biface
         Failure &why = attempt.result.failure;
         if (!attempt.result.stopped)
           {
+            if (why.cause == FailureCause::error_in_time &&
+                run.control->shorten(attempt.error_in_time))
+              {
+                out << "  " << why.message << "; shortening it" << std::endl;
+                n_iterations -= attempt.result.iterations;
+                continue;
+              }
             out << "  not converged: " << why.message << std::endl;
             // a smaller step has the same matrix
             const bool may_help = (why.cause != FailureCause::out_of_memory);

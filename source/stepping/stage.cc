@@ -47,7 +47,8 @@ namespace Biface
             control == ControlKind::arc_length,
             false,
             laws.penalty_stiffness ? own : "Contact",
-            laws.tangential_stiffness ? own : "Contact"};
+            laws.tangential_stiffness ? own : "Contact",
+            inertia};
   }
 
 

@@ -72,7 +72,7 @@ namespace Biface
       inertia,
       "Whether the shell has inertia: the stage goes through the time "
       "'Duration', from the state and the velocities at the end of the stage "
-      "before, and not through equilibria. The load is at rest at the start if "
+      "before, and not through equilibria. The shell is at rest at the start if "
       "that stage has no inertia.",
       Patterns::Bool());
     add_optional_number(
@@ -80,9 +80,10 @@ namespace Biface
       "Time step",
       time_step,
       "Duration/Steps",
-      "Duration of the first step of a stage with inertia. The stage has "
-      "at least 'Duration'/'Time step' equal steps, or others by 'Time "
-      "error'. 'Duration/Steps': by 'Steps'.",
+      "Duration of the first step of a stage with inertia, and of all of them "
+      "with 'Time error = 0', rounded to an even part of 'Duration'. "
+      "'Duration/Steps': by 'Steps'; where steps follow 'Time error' and 'Steps' "
+      "is 1, a thousandth of 'Duration'.",
       Unit("time"));
     prm.add_parameter(
       "Time error",
@@ -90,7 +91,8 @@ namespace Biface
       "Error of the displacements in a step of a stage with inertia, estimated "
       "from the change of the accelerations, relative to the displacement in "
       "the step at the largest velocity so far; steps become shorter above it "
-      "and grow below. Without damping, waves in the wall that an impact has "
+      "and grow below, up to a twentieth of 'Duration', and are shorter where a "
+      "'Load history' changes unevenly in them. Without damping, waves in the wall that an impact has "
       "left keep steps short. 0: equal steps.",
       Patterns::Double(),
       Unit::none());
@@ -168,6 +170,10 @@ namespace Biface
                            "it must be at least 'Duration'/1000000");
         control.n_steps = std::max(1u, static_cast<unsigned int>(n));
       }
+    // whatever the loads do in a stage, a single step would not see it
+    constexpr unsigned int n_unknown = 1000;
+    if (control.adaptive && !time_step && control.n_steps == 1)
+      control.n_steps = n_unknown;
     for (const auto &[name, formula] : histories)
       {
         const double end = formula({loads.duration});
@@ -180,6 +186,12 @@ namespace Biface
               "it must not be given, since 'Load history' has '" + name + "'");
           load = end;
         };
+        if (name == "pressure" && loads.sealed)
+          throw InputError(
+            section + "/Load history",
+            name,
+            "it must not be given with 'Gas = sealed', where the "
+            "pressure follows from the volume");
         if (name == "pressure")
           set(loads.pressure, "Pressure");
         else if (name == "travel")

@@ -38,7 +38,10 @@ namespace Biface
   {
     const LoadLevel first = trial.level(trial.mu);
     out << "Step " << run.progress.n_steps + 1 << ", " << run.stage.name
-        << ": pressure ";
+        << ": ";
+    if (run.stage.inertia)
+      out << "time " << first.time << ", ";
+    out << "pressure ";
     if (run.stage.sealed)
       out << run.progress.reached.pressure << " at its start";
     else

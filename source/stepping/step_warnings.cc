@@ -12,6 +12,7 @@
 #include <biface/solver/active_set_iteration.h>
 #include <biface/stepping/stage_run.h>
 #include <biface/stepping/step_warnings.h>
+#include <biface/surface/reference_surface.h>
 
 namespace Biface
 {
@@ -21,6 +22,7 @@ namespace Biface
   StepWarnings::start_stage(const StageRun &run,
                             const std::optional<unsigned int> & /*before*/)
   {
+    const ShellMesh &mesh = run.equations.mesh;
     // energy is kept in a motion away from an unstable equilibrium, too
     const unsigned int n = run.progress.n_negative_pivots.value_or(0);
     if (run.stage.inertia && n > 0)
@@ -28,6 +30,16 @@ namespace Biface
           << " is unstable: its tangent has " << n
           << (n == 1 ? " negative pivot" : " negative pivots")
           << ", and a small motion grows" << std::endl;
+    if (run.stage.inertia && !warned_of_rigid_motions &&
+        mesh.interpolation == Interpolation::components &&
+        mesh.get_surface().get_periodicity()[1] > 0)
+      {
+        out
+          << "  Warning: with 'Element/Interpolation = components' rigid "
+          << "motions strain a curved shell, so that momenta are kept up to the "
+          << "error of the mesh only; 'Cartesian' keeps them" << std::endl;
+        warned_of_rigid_motions = true;
+      }
   }
 
 

@@ -31,7 +31,10 @@ namespace Biface
   public:
     struct Parameters
     {
-      std::string             directory = "output";
+      std::string directory = "output";
+      /** Steps between those whose series of files are written, beside the last
+       * steps of the stages. */
+      unsigned int            every = 1;
       ForcesFile::Parameters  forces;
       ProfileFile::Parameters profile;
       ShellVtu::Parameters    shell_vtu;
@@ -102,7 +105,8 @@ namespace Biface
     get_written() const;
 
   private:
-    ResultsDirectory &directory;
+    const unsigned int every;
+    ResultsDirectory  &directory;
     /** The files, in the order of list(). */
     std::vector<std::unique_ptr<ResultFile>> files;
     /** The file history.csv, one of the files. */

@@ -95,6 +95,8 @@ namespace Biface
      * stage has. */
     std::string section_of_regularization            = "Contact";
     std::string section_of_tangential_regularization = "Contact";
+    /** Whether the stage has inertia, so that no path turns back. */
+    bool in_time = false;
   };
 
 

@@ -50,6 +50,7 @@ namespace Biface
     dealii::ConditionalOStream &out;
     std::set<std::string>       warned_of_pierced_nodes, warned_of_large_cells,
       warned_of_pull, warned_of_steep_sides;
+    bool warned_of_rigid_motions = false;
   };
 } // namespace Biface
 

@@ -234,7 +234,7 @@ namespace Biface
 
     // kappa times the tangent halfway for resultants divided by 2 kappa;
     // symmetric, with the derivative of the strains halfway instead of that at
-    // the end
+    // the end: forces of stiff strains have the right directions
     CellForces halfway;
     halfway.clear();
     NonlinearPlies::Stiffness of_step;

@@ -52,12 +52,30 @@ namespace Biface
   }
 
 
+  bool
+  TimeControl::shorten(const double error_in_time)
+  {
+    constexpr double reserve = 0.9, minimum = 0.1, maximum = 0.7;
+    // part of the stage below which round-off of the time matters
+    constexpr double shortest = 1e-9;
+
+    const double part = std::clamp(
+      reserve * std::sqrt(stage.time_error / error_in_time), minimum, maximum);
+    if (!(part * step_size() > shortest))
+      return false;
+    scale_step(part);
+    return true;
+  }
+
+
   void
   TimeControl::accept(const Step &step)
   {
     // the next step has the error that is wanted if this one tells, with some
     // reserve; steps at rest do not
     constexpr double reserve = 0.9, maximum_growth = 2, minimum_growth = 0.2;
+    // however quiet it is, a stage has as many steps
+    constexpr double minimum_steps = 20;
 
     if (stage.time_error == 0)
       {
@@ -69,7 +87,7 @@ namespace Biface
       step.error_in_time > 0
         ? reserve * std::sqrt(stage.time_error / step.error_in_time)
         : maximum_growth;
-    // what is left of the last step of the stage is no measure of the next one
-    size.succeeded(std::clamp(growth, minimum_growth, maximum_growth), 1);
+    size.succeeded(std::clamp(growth, minimum_growth, maximum_growth),
+                   1 / minimum_steps);
   }
 } // namespace Biface

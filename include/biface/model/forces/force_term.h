@@ -162,7 +162,8 @@ namespace Biface
                   std::vector<Coupling> & /*couplings*/) const
     {}
 
-    /** The same over a StepInTime, see add_over_step(). */
+    /** Add what add_load_derivative() adds, over a StepInTime, see
+     * add_over_step(). */
     void
     add_load_derivative_over_step(const CellState           &start,
                                   const CellState           &end,

@@ -22,12 +22,12 @@ namespace Biface
     /** The work that ViscousDamping dissipates or, in motion, the damping that
      * is proportional to mass and stiffness. */
     double damping = 0;
-    /** In motion: the work that numerical damping dissipates, and that of
-     * contact but for friction. */
+    /** The work that numerical damping dissipates in motion. */
     double numerical = 0;
-    double contact   = 0;
-    /** In motion, by how much the energies have grown more than the work and
-     * what is dissipated say. */
+    /** The work that contact but for friction dissipates in motion. */
+    double contact = 0;
+    /** The growth of the energies in motion beyond the work without what is
+     * dissipated. */
     double unbalanced = 0;
 
     Work &

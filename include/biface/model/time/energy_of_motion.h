@@ -20,7 +20,7 @@ namespace Biface
   struct EnergyOfMotion
   {
     double kinetic = 0;
-    /** See ShellEquations::strain_energy(). */
+    /** The energy of ShellEquations::strain_energy(). */
     double strain = 0;
     /** The energy of the springs of contact. */
     double               contact = 0;

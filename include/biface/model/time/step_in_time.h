@@ -17,7 +17,8 @@ namespace Biface
     /** The stress of a strain rate, divided by the stress of that strain. Unit:
      * time. */
     double of_stiffness = 0;
-    /** The same, divided by half the length of a step: @f$\chi@f$. */
+    /** The stress of a strain rate, divided by the stress of that strain and by
+     * half the length of a step: @f$\chi@f$. */
     double numerical = 0;
     /** The part of the pressure of contact by which it is larger on the way in
      * than on the way out, 0 to 1. */

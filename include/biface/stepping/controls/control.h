@@ -143,7 +143,7 @@ namespace Biface
       const State &before, &after;
       /** Whether the step has left the path for another branch. */
       bool to_branch = false;
-      /** See Attempt. */
+      /** The error of a step in time, see Attempt. */
       double error_in_time = 0;
     };
 
@@ -164,6 +164,14 @@ namespace Biface
     cut()
     {
       return size.failed(parameters.max_cuts);
+    }
+
+    /** Shorten a step whose error in time was too large.
+     * @return whether another attempt is allowed. */
+    virtual bool
+    shorten(const double /*error_in_time*/)
+    {
+      return false;
     }
 
     /** Take the next step as a part of the one that propose() would give, or

@@ -22,6 +22,9 @@ namespace Biface
     void
     accept(const Step &step) override;
 
+    bool
+    shorten(const double error_in_time) override;
+
   private:
     /** The loads at a fraction of the stage, with StageMotion::histories. */
     LoadLevel
