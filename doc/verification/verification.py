@@ -1150,9 +1150,9 @@ def main():
     pictures = arguments.output / "verification"
     pictures.mkdir(parents=True, exist_ok=True)
     plt.rcParams.update(STYLE | {"lines.linewidth": 1.8})
-    # meshes from files have no half and double: any_mesh.md
+    # meshes from files have no half and double: any_mesh.md; steps in time: dynamics.md
     prms = sorted((prm for prm in arguments.parameters.glob("*.prm")
-                   if not re.search(r"\.msh|plate_with_hole", prm.read_text())),
+                   if not re.search(r"\.msh|# file: |Inertia", prm.read_text())),
                   key=natural_order)
     benchmarks = [make_benchmark(arguments, prm) for prm in prms]
     for benchmark in benchmarks:
