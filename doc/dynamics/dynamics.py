@@ -202,7 +202,8 @@ modes must not reach 3.523 mm: it reaches 3.460 mm, as biface does.
 - **Time step**: the error of a frequency is $`(\\pi f\\,\\Delta t)^2/3`$, 0.8 % with 20 steps in a period and 0.13 % with 50. Faster
   vibrations are kept in energy, but not in time. If the iteration fails, steps are halved, which
   costs more than a step that is shorter from the start. `Time error = 0` makes equal steps, the best choice for
-  comparisons; the default 0.01 suits an impact, from a first step of a tenth of the shortest time that matters.
+  comparisons; the default 0.01 suits an impact. The first step of a stage has no step before it to tell its error: give a `Time step`
+  of a tenth of the shortest time that matters, or it is the whole `Duration`.
 - **Damping**: `Stiffness damping` τ gives a vibration of the frequency f the damping ratio π f τ, `Mass damping` α the ratio
   α/(4 π f). The first does not brake rigid motions, the second does. `Numerical damping = 0.2` takes out what the steps do not resolve and changes with the step: 1.6 · 0.2 f Δt. After an impact, one
   of them is needed for results that converge.
