@@ -38,7 +38,7 @@ may_include_in_model()
     contact) echo mesh state forces ;;
     equations) echo mesh state forces contact ;;
     quantities) echo mesh state forces contact equations ;;
-    heat) echo mesh state forces contact equations quantities ;;
+    heat | time) echo mesh state forces contact equations quantities ;;
     *) return 1 ;;
   esac
 }

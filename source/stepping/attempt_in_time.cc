@@ -8,89 +8,16 @@
 #include <memory>
 #include <string>
 
-#include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/contact/contact_interaction.h>
-#include <biface/model/mesh/supports.h>
+#include <biface/model/state/step_in_time.h>
 #include <biface/model/time/energy_of_motion.h>
-#include <biface/model/time/inertia.h>
-#include <biface/model/time/step_in_time.h>
 #include <biface/stepping/attempt_in_time.h>
 #include <biface/stepping/stage_run.h>
 
 namespace Biface
 {
   using namespace dealii;
-
-  void
-  start_motion(const StageRun &run, State &state)
-  {
-    // the largest energy counts from the start of the stage
-    state.terms.erase(Inertia::body);
-    if (!run.stage.inertia)
-      {
-        state.velocity.clear();
-        return;
-      }
-    const ShellMesh &mesh     = run.equations.mesh;
-    LA::Vector       velocity = mesh.owned_vector();
-    if (state.velocity.size() > 0)
-      velocity = owned_part(state.velocity);
-    // the same on all ranks, also where a formula has no value on one of them
-    bool is_finite = true;
-    if (!run.stage.initial_velocity.empty())
-      for (const Node &node : mesh.nodes)
-        if (node.locally_owned)
-          {
-            std::vector<Tensor<1, 3>> of_faces;
-            for (unsigned int face = 0; face <= mesh.n_layers(); ++face)
-              {
-                const Point<3> x =
-                  mesh.position_of_any_face(state.displacement, node, face);
-                Tensor<1, 3> v;
-                for (unsigned int i = 0; i < 3; ++i)
-                  v[i] =
-                    run.stage.initial_velocity[i].unchecked({x[0], x[1], x[2]});
-                is_finite = is_finite && std::isfinite(v.norm());
-                of_faces.push_back(node.surface.to_frame(v));
-              }
-            // the mean of the outermost faces, and half the differences over
-            // the layers
-            for (unsigned int i = 0; i < 3; ++i)
-              {
-                velocity(node.dof(i, 0)) =
-                  (of_faces.front()[i] + of_faces.back()[i]) / 2;
-                for (unsigned int part = 1; part < node.n_parts(); ++part)
-                  velocity(node.dof(i, part)) =
-                    (of_faces[part][i] - of_faces[part - 1][i]) / 2;
-              }
-          }
-    if (Utilities::MPI::logical_or(!is_finite, mesh.communicator))
-      throw InputError("Stage " + std::to_string(run.progress.stage + 1) +
-                         "/Initial velocity",
-                       run.stage.initial_velocity[0].get_text() + "; " +
-                         run.stage.initial_velocity[1].get_text() + "; " +
-                         run.stage.initial_velocity[2].get_text(),
-                       "it must be finite at all nodes");
-    velocity.compress(VectorOperation::insert);
-    mesh.constraints.distribute(velocity);
-    // supports that are moved have their velocity at once: otherwise they would
-    // change between twice this velocity and none
-    const Control::Trial trial = run.control->propose(run.last_converged());
-    const LoadLevel      first = trial.level(trial.mu);
-    const double         dt    = first.time - run.progress.reached.time;
-    State                moved = state, moves = state;
-    run.equations.move_supports(moves, run.loads_at(run.progress.reached));
-    run.equations.move_supports(moved, run.loads_at(first));
-    for (const PrescribedDisplacement &p : mesh.prescribed)
-      if (mesh.locally_owned.is_element(p.dof))
-        velocity(p.dof) =
-          (moved.displacement(p.dof) - moves.displacement(p.dof)) / dt;
-    velocity.compress(VectorOperation::insert);
-    state.velocity = mesh.ghosted_vector();
-    state.velocity = velocity;
-  }
-
 
   namespace
   {

@@ -10,10 +10,11 @@
 #include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
-#include <biface/stepping/attempt_in_time.h>
+#include <biface/model/time/inertia.h>
 #include <biface/stepping/controls/make_control.h>
 #include <biface/stepping/stage_run.h>
 #include <biface/stepping/stage_sequence.h>
+#include <biface/stepping/start_motion.h>
 
 namespace Biface
 {
@@ -328,7 +329,22 @@ namespace Biface
     equations.start_stage(loads_at(progress.reached), state);
 
     control->begin(last_converged());
-    start_motion(*this, state);
+    // what steps in time remember counts from the start of the stage
+    state.terms.erase(Inertia::body);
+    if (stage.inertia)
+      {
+        const Control::Trial first = control->propose(last_converged());
+        const LoadLevel      after = first.level(first.mu);
+        start_motion(equations,
+                     stage,
+                     "Stage " + std::to_string(progress.stage + 1),
+                     {loads_at(progress.reached),
+                      loads_at(after),
+                      after.time - progress.reached.time},
+                     state);
+      }
+    else
+      state.velocity.clear();
     progress.control = control->get_memory();
     progress.predictor.reset();
     progress.stage_begun = true;

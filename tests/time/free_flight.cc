@@ -26,7 +26,7 @@ main(int argc, char *argv[])
   if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     return 0;
   check_small("energy", motion.energy.back() - energy, 1e-9, energy);
-  check_constants(motion, "free", 2e-12);
+  check_constants(motion, "free", 1e-11);
   for (unsigned int i = 0; i < 3; ++i)
     check_small("displacement",
                 number(motion.probes.back(), std::string("u_") + "xyz"[i]) -

@@ -14,12 +14,6 @@ namespace Biface
   struct StepInTime;
 
 
-  /** Prepare a state for a stage with inertia: set its velocities, those of the
-   * stage or, without them, what the state has; without inertia, none. Supports
-   * that move have the velocity of the first step. */
-  void
-  start_motion(const StageRun &run, State &state);
-
   /** Attempt a StepInTime by Newton's method.
    * @param newton one that knows nothing of contact, which has no active set in
    * time. */

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <biface/input/formula.h>
-#include <biface/model/time/step_in_time.h>
+#include <biface/model/state/step_in_time.h>
 
 namespace Biface
 {

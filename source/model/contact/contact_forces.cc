@@ -3,8 +3,8 @@
 #include <biface/contact/tangential_law.h>
 #include <biface/model/contact/bristle_lines.h>
 #include <biface/model/contact/contact_forces.h>
+#include <biface/model/contact/contact_over_step.h>
 #include <biface/model/state/loads.h>
-#include <biface/model/time/contact_over_step.h>
 
 namespace Biface
 {

@@ -13,7 +13,7 @@
 #include <biface/model/equations/symmetry.h>
 #include <biface/model/forces/dependent_loads.h>
 #include <biface/model/state/loads.h>
-#include <biface/model/time/step_in_time.h>
+#include <biface/model/state/step_in_time.h>
 
 namespace Biface
 {

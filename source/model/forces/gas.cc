@@ -12,7 +12,7 @@
 #include <biface/model/forces/gas.h>
 #include <biface/model/state/loads.h>
 #include <biface/model/state/state.h>
-#include <biface/model/time/step_in_time.h>
+#include <biface/model/state/step_in_time.h>
 
 namespace Biface
 {

@@ -14,8 +14,8 @@
 #include <biface/model/forces/internal_forces.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/step_in_time.h>
 #include <biface/model/state/strain_theory.h>
-#include <biface/model/time/step_in_time.h>
 
 namespace Biface
 {

@@ -10,7 +10,7 @@
 #include <biface/model/mesh/fold_side.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/model/state/state.h>
-#include <biface/model/time/step_in_time.h>
+#include <biface/model/state/step_in_time.h>
 
 namespace Biface
 {

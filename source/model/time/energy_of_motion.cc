@@ -6,14 +6,14 @@
 #include <cmath>
 
 #include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_over_step.h>
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/contact/contact_summary.h>
 #include <biface/model/equations/mass_matrix.h>
 #include <biface/model/equations/shell_equations.h>
-#include <biface/model/time/contact_over_step.h>
+#include <biface/model/state/step_in_time.h>
 #include <biface/model/time/energy_of_motion.h>
 #include <biface/model/time/inertia.h>
-#include <biface/model/time/step_in_time.h>
 
 namespace Biface
 {

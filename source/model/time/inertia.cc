@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <biface/model/equations/mass_matrix.h>
+#include <biface/model/state/step_in_time.h>
 #include <biface/model/time/inertia.h>
-#include <biface/model/time/step_in_time.h>
 
 namespace Biface
 {

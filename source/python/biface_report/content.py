@@ -14,6 +14,7 @@ from .footprint import Footprint, normal_of_nodes
 from .ground import ground_in_step, ground_of
 from .loading import counted_steps, step_labels
 from .modes import modes
+from .motion import motion, moves
 from .page import (LeftOut, Section, count, details, figure, missing, number,
                    page, plain_number, table)
 from .point_content import ply_stresses, points
@@ -33,7 +34,7 @@ def report(run):
     """The page of a run."""
     plt.rcParams.update(STYLE)
     footprint = find_footprint(run)
-    parts = [summary(run, footprint), view.shell(run), curve(run),
+    parts = [summary(run, footprint), view.shell(run), motion(run), curve(run),
              footprint_map(run, footprint), stick_slip(run, footprint),
              wheel_forces(run), tire_test(run), rolling(run), stiffness(run),
              sections_of_shell(run), modes(run), buckling(run),
@@ -76,6 +77,9 @@ def find_footprint(run):
 
 def curve(run):
     """Force against approach; without contact, a load against displacements."""
+    if moves(run):
+        return LeftOut("Load and deflection",
+                       "There are steps with inertia, which are no equilibria.")
     if run.in_contact.any():
         html = figure(embed(charts.draw_contact_curve(run)),
                       "Chart of the force on the ground against its "

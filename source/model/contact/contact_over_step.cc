@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include <biface/model/contact/contact_over_step.h>
 #include <biface/model/contact/contact_pair.h>
-#include <biface/model/time/contact_over_step.h>
-#include <biface/model/time/step_in_time.h>
+#include <biface/model/state/step_in_time.h>
 
 namespace Biface
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <biface/model/mesh/shell_mesh.h>
-#include <biface/model/time/step_in_time.h>
+#include <biface/model/state/step_in_time.h>
 
 namespace Biface
 {

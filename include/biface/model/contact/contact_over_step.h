@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef biface_model_time_contact_over_step_h
-#define biface_model_time_contact_over_step_h
+#ifndef biface_model_contact_contact_over_step_h
+#define biface_model_contact_contact_over_step_h
 
 #include <optional>
 

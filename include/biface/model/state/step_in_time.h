@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef biface_model_time_step_in_time_h
-#define biface_model_time_step_in_time_h
+#ifndef biface_model_state_step_in_time_h
+#define biface_model_state_step_in_time_h
 
 #include <biface/model/state/load_rates.h>
 #include <biface/model/state/loads.h>
