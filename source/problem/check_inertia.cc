@@ -86,6 +86,24 @@ namespace Biface
                "Contact/Multiplier mass",
                "consistent",
                "'lumped'");
+        // the results are in axes that turn with the wheel, in which there
+        // would be forces
+        for (const auto &[entry, angle] :
+             {std::make_pair("/Wheel turn", stage.wheel_turn),
+              std::make_pair("/Inclination angle", stage.inclination_angle)})
+          refuse(angle.has_value(),
+                 section + entry,
+                 number_to_string(angle.value_or(0)),
+                 "'unchanged'");
+        // springs that change their stiffness do work
+        const auto before      = stage_before(stages, i);
+        const bool had_contact = before && (stages[*before].contact ||
+                                            !stages[*before].bodies.empty());
+        refuse(had_contact && stages[*before].laws.penalty_stiffness !=
+                                stage.laws.penalty_stiffness,
+               section + "/Regularization",
+               number_to_string(stage.laws.penalty_stiffness.value_or(0)),
+               "that of the stage before");
         refuse(mesh.n_coarse > 0,
                "Mesh/Coarse meshes",
                std::to_string(mesh.n_coarse),

@@ -9,7 +9,11 @@
 #include <string>
 
 #include <biface/input/parameter_tools.h>
+#include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_over_step.h>
+#include <biface/model/contact/contact_pair.h>
+#include <biface/model/mesh/supports.h>
 #include <biface/model/state/step_in_time.h>
 #include <biface/model/time/energy_of_motion.h>
 #include <biface/stepping/attempt_in_time.h>
@@ -54,6 +58,46 @@ namespace Biface
   } // namespace
 
 
+  namespace
+  {
+    /** See StepInTime::of_supports: the velocity at the end of the step follows
+     * from the places of the supports at its start, in its middle and at its
+     * end; by the mean velocity alone it would alternate from step to step
+     * where the velocity changes. */
+    LA::Vector
+    correction_by_supports(const StageRun   &run,
+                           const StepInTime &step,
+                           const LoadLevel  &middle,
+                           const LoadLevel  &end)
+    {
+      const ShellMesh &mesh = run.equations.mesh;
+      if (!mesh.prescribes_displacements())
+        return {};
+      State halfway = run.state, last = run.state;
+      run.equations.move_supports(halfway, run.loads_at(middle));
+      run.equations.move_supports(last, run.loads_at(end));
+      const double dt         = step.duration;
+      LA::Vector   correction = mesh.owned_vector();
+      for (const PrescribedDisplacement &p : mesh.prescribed)
+        if (mesh.locally_owned.is_element(p.dof))
+          {
+            const double u_0 = run.state.displacement(p.dof),
+                         u_m = halfway.displacement(p.dof),
+                         u_1 = last.displacement(p.dof),
+                         v_0 = run.state.velocity(p.dof);
+            correction(p.dof) =
+              ((3 * u_1 - 4 * u_m + u_0) / dt - (2 * (u_1 - u_0) / dt - v_0)) /
+              dt;
+          }
+      correction.compress(VectorOperation::insert);
+      mesh.constraints.distribute(correction);
+      LA::Vector result = mesh.ghosted_vector();
+      result            = correction;
+      return result;
+    }
+  } // namespace
+
+
   Attempt
   attempt_step_in_time(Newton               &newton,
                        const StageRun       &run,
@@ -79,6 +123,7 @@ namespace Biface
         attempt.error_in_time  = 4 * run.stage.time_error;
         return attempt;
       }
+    step->of_supports       = correction_by_supports(run, *step, middle, level);
     attempt.state           = run.state;
     attempt.state.step      = step;
     attempt.state.time_step = run.time_step_to(level);
@@ -90,34 +135,43 @@ namespace Biface
     const ParametrizedLoads given{
       [&loads](const LoadParameters &) { return loads; }};
     NewtonResult &result = attempt.result;
-    // whether points stick or slip is decided with each increment, except after
-    // the last one
-    constexpr unsigned int max_rounds = 5;
-    unsigned int           spent      = 0;
-    for (unsigned int round = 0;; ++round)
+    const State   start  = attempt.state;
+    result               = newton.solve(
+      attempt.state, given, attempt.mu, NewtonIteration::substituted);
+    if (result.failed() && run.contact.has_friction(loads))
       {
-        result = newton.solve(
-          attempt.state, given, attempt.mu, NewtonIteration::substituted);
-        result.iterations += spent;
-        spent = result.iterations;
-        if (!result.converged ||
-            run.contact.settle(attempt.state, loads) == 0 ||
-            !run.contact.has_friction(loads))
-          break;
-        if (round == max_rounds)
-          {
-            result.converged = false;
-            result.failure   = {FailureCause::contact_cycle,
-                                "points stick and slip in turn"};
-          }
+        // near the solution the exact tangent converges
+        const auto secant          = std::make_shared<StepInTime>(*step);
+        secant->secant_of_friction = true;
+        unsigned int spent         = result.iterations;
+        attempt.state              = start;
+        for (const auto &with : {secant, step})
+          if (result.failed())
+            {
+              attempt.state.step = with;
+              result             = newton.solve(
+                attempt.state, given, attempt.mu, NewtonIteration::substituted);
+              spent += result.iterations;
+            }
+        result.iterations  = spent;
+        attempt.state.step = step;
       }
     // those of the tangent with inertia say nothing about an equilibrium
     result.n_negative_pivots.reset();
     if (!result.converged)
       return attempt;
 
-    const std::string passed = run.contact.passed_body(
+    run.contact.settle(attempt.state, loads);
+    std::string passed = run.contact.passed_body(
       run.state, step->loads_at_start, attempt.state, loads);
+    // in time the shell may also jump over the ground
+    const ContactPair &ground = run.contact.ground();
+    if (ground.body(loads) && ground.body(step->loads_at_start) &&
+        Utilities::MPI::logical_or(
+          was_passed(
+            ground, run.state, step->loads_at_start, attempt.state, loads),
+          run.equations.mesh.communicator))
+      passed = ground.name;
     if (!passed.empty())
       {
         result.converged = false;
@@ -128,6 +182,19 @@ namespace Biface
       }
     if (run.stage.time_error == 0)
       return attempt;
+    // the first accelerations of a shell at rest have none before them with
+    // which they could be compared
+    constexpr double first_part = 1e-3;
+    if (is_at_rest(run.equations, attempt.state))
+      {
+        if (trial.size <= first_part * (1 + 1e-6))
+          return attempt;
+        result.converged      = false;
+        result.failure        = {FailureCause::error_in_time,
+                                 "a motion begins in the step"};
+        attempt.error_in_time = 4 * run.stage.time_error;
+        return attempt;
+      }
     // steps whose error is twice the one that is wanted count as well
     constexpr double largest = 2;
     attempt.error_in_time    = error_in_time(run.equations, attempt.state);
@@ -163,6 +230,8 @@ namespace Biface
     state.velocity            = run.equations.mesh.ghosted_vector();
     state.velocity            = velocity;
     state.step                = step;
+    for (const auto &pair : run.contact.pairs)
+      settle_friction_over_step(*pair, loads, state);
     remember_motion(run.equations, state);
     const Work work =
       work_in_time(run.equations, run.contact, state, loads, forces);

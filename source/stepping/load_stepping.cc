@@ -235,9 +235,10 @@ namespace Biface
         failure.failure            = {FailureCause::too_many_steps, message};
         return failure;
       }
-    // a step that cannot converge ends in bounded time
-    constexpr unsigned int max_iterations = 150;
-    unsigned int           n_cuts = 0, n_iterations = 0;
+    // a step that cannot converge ends in bounded time; those in time become
+    // easier the shorter they are
+    const unsigned int max_iterations = (run.stage.inertia ? 1000 : 150);
+    unsigned int       n_cuts = 0, n_iterations = 0;
     while (true)
       {
         // The time of a step is that of its last attempt alone.

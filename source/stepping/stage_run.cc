@@ -339,6 +339,7 @@ namespace Biface
                      stage,
                      "Stage " + std::to_string(progress.stage + 1),
                      {loads_at(progress.reached),
+                      loads_at(first.level({first.mu[0] - first.size / 2})),
                       loads_at(after),
                       after.time - progress.reached.time},
                      state);

@@ -87,13 +87,15 @@ namespace Biface
 
     // otherwise the velocities of supports that move would change between twice
     // their velocity and none
-    State before = state, after = state;
+    State before = state, middle = state, after = state;
     equations.move_supports(before, first.before);
+    equations.move_supports(middle, first.middle);
     equations.move_supports(after, first.after);
     for (const PrescribedDisplacement &p : mesh.prescribed)
       if (mesh.locally_owned.is_element(p.dof))
         velocity(p.dof) =
-          (after.displacement(p.dof) - before.displacement(p.dof)) /
+          (4 * middle.displacement(p.dof) - 3 * before.displacement(p.dof) -
+           after.displacement(p.dof)) /
           first.duration;
     velocity.compress(VectorOperation::insert);
     state.velocity = mesh.ghosted_vector();

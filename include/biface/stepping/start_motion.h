@@ -12,18 +12,18 @@ namespace Biface
   struct StageMotion;
 
 
-  /** The first step of a stage with inertia: the loads before and after it, and
-   * its duration. */
+  /** The first step of a stage with inertia: the loads before it, in its middle
+   * and after it, and its duration. */
   struct FirstStepInTime
   {
-    const Loads &before, &after;
+    const Loads &before, &middle, &after;
     double       duration;
   };
 
 
   /** Set the velocities of a state at the start of a stage with inertia: those
    * that the stage gives or, without them, those that the state has, if any.
-   * Supports that move have the velocity of the first step. Throws InputError
+   * Supports that move have their velocity at once. Throws InputError
    * on all ranks if a formula has no value at a node.
    * @param section that of the stage. */
   void

@@ -61,15 +61,6 @@ namespace Biface
   }
 
 
-  std::string
-  ContactForces::prepare(const Loads &loads, State &state) const
-  {
-    if (state.step)
-      contact.settle(state, loads);
-    return {};
-  }
-
-
   void
   ContactForces::add_traction(const Cell               &cell,
                               const unsigned int        i,

@@ -24,6 +24,8 @@ namespace Biface
     result -= owned_part(start.displacement);
     result *= 2 / duration;
     result -= owned_part(start.velocity);
+    if (of_supports.size() > 0)
+      result.add(duration, owned_part(of_supports));
     return result;
   }
 

@@ -124,7 +124,7 @@ namespace Biface
     for (const auto &pair : contact.pairs)
       {
         result.ground += work_of_body_over_step(*pair, state, loads);
-        result.friction += friction_work(*pair, step.start, state, loads);
+        result.friction += friction_work_over_step(*pair, state, loads);
       }
 
     const double mass_damping = step.damping.of_mass / step.duration *
@@ -152,31 +152,68 @@ namespace Biface
   }
 
 
+  namespace
+  {
+    /** The energy of the motion at the end of a step: the kinetic one, and the
+     * change of the strain energy since the start of the stage. */
+    double
+    energy_at_end(const ShellEquations      &equations,
+                  const State               &state,
+                  const std::vector<double> &remembered)
+    {
+      return mass_product_of_owned(equations.mesh,
+                                   state.step->velocity(state)) /
+               2 +
+             std::abs(equations.strain_energy(state) -
+                      remembered[strain_energy_at_start]);
+    }
+
+
+    /** What Inertia remembers of the steps before; empty for none. */
+    std::vector<double>
+    remembered_before(const State &state)
+    {
+      const auto found = state.step->start.terms.find(Inertia::body);
+      return found == state.step->start.terms.end() ? std::vector<double>()
+                                                    : found->second.numbers;
+    }
+  } // namespace
+
+
+  bool
+  is_at_rest(const ShellEquations &equations, const State &state)
+  {
+    // what round-off and the iteration leave is no motion
+    constexpr double negligible = 1e-9;
+
+    const std::vector<double> last = remembered_before(state);
+    return !last.empty() &&
+           last[largest_energy] <=
+             negligible * energy_at_end(equations, state, last);
+  }
+
+
   double
   error_in_time(const ShellEquations &equations, const State &state)
   {
-    const ShellMesh  &mesh  = equations.mesh;
-    const StepInTime &step  = *state.step;
-    const auto        found = step.start.terms.find(Inertia::body);
-    if (found == step.start.terms.end() || found->second.numbers.empty())
+    const ShellMesh          &mesh = equations.mesh;
+    const StepInTime         &step = *state.step;
+    const std::vector<double> last = remembered_before(state);
+    if (last.empty())
       return 0;
-    const std::vector<double> &last = found->second.numbers;
     LA::Vector change = step.acceleration(state), before = mesh.owned_vector();
     for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
       if (mesh.nodes[n].locally_owned)
         for (unsigned int i = 0; i < mesh.nodes[n].dofs.size(); ++i)
-          before(mesh.nodes[n].dofs[i]) = found->second.at_nodes(n, i);
+          before(mesh.nodes[n].dofs[i]) =
+            step.start.terms.at(Inertia::body).at_nodes(n, i);
     before.compress(VectorOperation::insert);
     change -= before;
 
     // the velocity that has the largest energy of the motion, with that of the
     // end of this step
-    const double kinetic =
-                   mass_product_of_owned(mesh, step.velocity(state)) / 2,
-                 energy =
-                   std::max(last[largest_energy],
-                            kinetic + std::abs(equations.strain_energy(state) -
-                                               last[strain_energy_at_start]));
+    const double energy =
+      std::max(last[largest_energy], energy_at_end(equations, state, last));
     if (!(energy > 0))
       return 0;
     const double dt = step.duration, between = (dt + last[duration]) / 2;

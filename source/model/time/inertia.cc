@@ -28,6 +28,8 @@ namespace Biface
 
     MixedElement::NodalVector acceleration =
       per_displacement * (end.V - start.V) - 2 / dt * v_0;
+    if (step.of_supports.size() > 0)
+      acceleration += mesh.cell_values(step.of_supports, end.cell);
     MixedElement::NodalVector force;
     for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
       for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)

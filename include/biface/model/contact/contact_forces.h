@@ -43,11 +43,6 @@ namespace Biface
                   const CellState &end,
                   CellForces      &forces) const override;
 
-    /** Over a StepInTime, set the multipliers and the active set to those of
-     * the displacements: forces do not depend on them, but for friction. */
-    std::string
-    prepare(const Loads &loads, State &state) const override;
-
     void
     add_load_derivative(const CellState           &at,
                         const LoadRates           &rates,

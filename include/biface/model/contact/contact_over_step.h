@@ -21,7 +21,9 @@ namespace Biface
    * change of the energy of the spring, and what
    * DampingInTime::of_contact adds. On a curved body, the normal halfway is
    * corrected such that its product with the motion against the body is the
-   * change of the clearance. Friction is that at the end of the step.
+   * change of the clearance. Friction is that of the place at the end of the
+   * step, limited by the pressure over the step; a point that comes sticks
+   * where it touches.
    *
    * @param state, loads those at the end of the step.
    * @return nothing if the point touches at neither end.
@@ -31,6 +33,22 @@ namespace Biface
                      const State       &state,
                      const Loads       &loads,
                      const unsigned int point);
+
+
+  /** At the end of a StepInTime, set what the points of a pair remember of
+   * friction. */
+  void
+  settle_friction_over_step(const ContactPair &contact,
+                            const Loads       &loads,
+                            State             &state);
+
+
+  /** The work that friction dissipates in the StepInTime of a state at points
+   * that slip, on all ranks. Unit: force times length. */
+  double
+  friction_work_over_step(const ContactPair &contact,
+                          const State       &state,
+                          const Loads       &loads);
 
 
   /** The energy in the springs of a pair on all ranks,

@@ -58,6 +58,15 @@ namespace Biface
     /** Unit: time. */
     double        duration = 0;
     DampingInTime damping;
+    /** Whether the tangent holds points that slip against their traction, too,
+     * by its secant: an iteration that would throw them to and fro then
+     * converges, though more slowly. */
+    bool secant_of_friction = false;
+    /** What is added to the accelerations that the displacements give, at nodes
+     * whose supports move: there the velocity at the end is that of the
+     * supports. Readable at all nodes of this rank; empty for nothing. Unit:
+     * length/time². */
+    LA::Vector of_supports;
 
     /** The part of the change of the stresses that acts over the step,
      * @f$\kappa=\frac12+\frac\chi2+\tau/\Delta t@f$ with

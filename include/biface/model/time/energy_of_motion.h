@@ -73,6 +73,13 @@ namespace Biface
   error_in_time(const ShellEquations &equations, const State &state);
 
 
+  /** Whether the shell has been at rest up to the start of a step in which it
+   * moves.
+   * @param state at the end of the step. */
+  bool
+  is_at_rest(const ShellEquations &equations, const State &state);
+
+
   /** Let a state at the end of a step remember what error_in_time() needs: its
    * acceleration, and the largest energy of the motion since the start of the
    * stage.
