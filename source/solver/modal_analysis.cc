@@ -63,8 +63,8 @@ namespace Biface
 
     const ShellMesh &mesh      = equations.mesh;
     const auto       add_field = [&](const LA::Vector &displacement) {
-      LA::Vector ghosted   = mesh.ghosted_vector();
-      ghosted              = displacement;
+      LA::Vector ghosted  = mesh.ghosted_vector();
+      ghosted             = displacement;
       LA::Vector   forces = inertia(mesh, ghosted);
       const double square = forces * displacement;
       mesh.condense(forces);

@@ -57,8 +57,7 @@ namespace Biface
   ContactInteraction::ContactInteraction(
     const ShellMesh &mesh, const std::vector<ContactParameters> &parameters)
     : mesh(mesh), pairs(make_pairs(mesh, parameters))
-  {
-  }
+  {}
 
 
   ContactInteraction::ContactInteraction(

@@ -137,20 +137,33 @@ namespace Biface
           internal.add_linearized({c, cell, V_0, *base, loads}, dV, forces);
         forces.square = forces.force.norm_square();
       }
-    else if (const StepInTime *step = state.step.get())
-      {
-        const auto V_0 = mesh.cell_values(step->start.displacement, cell);
-        const ForceTerm::CellState start{
-          c, cell, V_0, step->start, step->loads_at_start},
-          at_end{c, cell, V, state, loads};
-        for (unsigned int t = begin; t < end; ++t)
-          if (acts_on(*terms[t], element, state, loads))
-            terms[t]->add_over_step(start, at_end, forces);
-      }
+    else if (state.step)
+      add_forces_over_step(begin, end, element, state, loads, forces);
     else
       for (unsigned int t = begin; t < end; ++t)
         if (acts_on(*terms[t], element, state, loads))
           terms[t]->add({c, cell, V, state, loads}, forces);
+  }
+
+
+  void
+  ShellEquations::add_forces_over_step(const unsigned int     begin,
+                                       const unsigned int     end,
+                                       const Element         &element,
+                                       const State           &state,
+                                       const Loads           &loads,
+                                       ForceTerm::CellForces &forces) const
+  {
+    const StepInTime  &step = *state.step;
+    const Cell        &cell = *element.cell;
+    const unsigned int c    = element.index;
+    const auto         V    = mesh.cell_values(state.displacement, cell);
+    const auto         V_0  = mesh.cell_values(step.start.displacement, cell);
+    for (unsigned int t = begin; t < end; ++t)
+      if (acts_on(*terms[t], element, state, loads))
+        terms[t]->add_over_step({c, cell, V_0, step.start, step.loads_at_start},
+                                {c, cell, V, state, loads},
+                                forces);
   }
 
 

@@ -40,9 +40,9 @@ namespace Biface
     double
     strain_energy(const State &state) const;
 
-    /** The energy that damping of the material dissipates in the StepInTime of a
-     * state, on all ranks, see ForceTerm::dissipated_energy(). Unit: force times
-     * length. */
+    /** The energy that damping of the material dissipates in the StepInTime of
+     * a state, on all ranks, see ForceTerm::dissipated_energy(). Unit: force
+     * times length. */
     double
     dissipated_energy(const State &state) const;
 
@@ -231,6 +231,15 @@ namespace Biface
                const State           &state,
                const Loads           &loads,
                ForceTerm::CellForces &forces) const;
+
+    /** Add the forces over the StepInTime of a state, see add_forces(). */
+    void
+    add_forces_over_step(const unsigned int     begin,
+                         const unsigned int     end,
+                         const Element         &element,
+                         const State           &state,
+                         const Loads           &loads,
+                         ForceTerm::CellForces &forces) const;
 
     /** The sum of all forces on the free unknowns, and the norms of those that
      * cancel in it and of the given ones. */
