@@ -203,7 +203,7 @@ modes must not reach 3.523 mm: it reaches 3.460 mm, as biface does.
   vibrations are kept in energy, but not in time. If the iteration fails, steps are halved, which
   costs more than a step that is shorter from the start. `Time error = 0` makes equal steps, the best choice for
   comparisons; the default 0.01 suits an impact. The first step of a stage has no step before it to tell its error: give a `Time step`
-  of a tenth of the shortest time that matters, or it is the whole `Duration`.
+  of a tenth of the shortest time that matters, or it is a thousandth of `Duration`, as is the step in which a motion begins from rest.
 - **Damping**: `Stiffness damping` τ gives a vibration of the frequency f the damping ratio π f τ, `Mass damping` α the ratio
   α/(4 π f). The first does not brake rigid motions, the second does. `Numerical damping = 0.2` takes out what the steps do not resolve and changes with the step: 1.6 · 0.2 f Δt. After an impact, one
   of them is needed for results that converge.
@@ -212,8 +212,8 @@ modes must not reach 3.523 mm: it reaches 3.460 mm, as biface does.
 - **Forces on the ground**: those in forces.csv are the means of a step, whose impulse is the change of the momentum; `force` in history.csv
   is that at its end.
 - **Load history**: a pulse of 4 ms is `load factor: max(0, 1 - abs(t/0.002 - 1))`. Loads count halfway in each step, so that the steps must resolve
-  their history. With `Time error`, the steps of a shell at rest double, and may pass a pulse that comes later: begin a
-  stage with it, or take equal steps.
+  their history. With `Time error`, steps become shorter where a load changes unevenly in them, and are at most a twentieth of the
+  stage: a pulse that is much shorter than that wants a stage of its own, or equal steps.
 - **Element**: on curved surfaces `Element/Interpolation = Cartesian`, which no rotation strains. With `components`, the default, energy
   is kept as well, but while the panel above flies its momentum changes by {components_momentum} and its angular momentum by {components_angular}.
 - **Equilibria of free shells**: a stage with `Mass damping` of some times the lowest frequency and `Numerical damping = 2` goes to them in a few
@@ -224,7 +224,7 @@ modes must not reach 3.523 mm: it reaches 3.460 mm, as biface does.
 - Wheels that roll or spin have no such stages, nor have materials with `Relaxation times`, linear theory, `Coarse meshes`,
   derivatives, and any `Control` but that of the loads.
 - Bodies have no mass: ground and bodies move as prescribed.
-- Friction holds nodes at the end of each step, and dissipates what it does; only frictionless contact is without any loss.
+- Friction dissipates, and springs that hold nodes sideways lose a part of their energy; only frictionless contact is without any loss.
 - Angular momentum is exact without a gas; with one it drifts with the square of the step.
 """
 
