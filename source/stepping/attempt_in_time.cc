@@ -18,6 +18,7 @@
 #include <biface/model/time/energy_of_motion.h>
 #include <biface/stepping/attempt_in_time.h>
 #include <biface/stepping/stage_run.h>
+#include <biface/stepping/start_motion.h>
 
 namespace Biface
 {
@@ -73,22 +74,19 @@ namespace Biface
       const ShellMesh &mesh = run.equations.mesh;
       if (!mesh.prescribes_displacements())
         return {};
-      State halfway = run.state, last = run.state;
-      run.equations.move_supports(halfway, run.loads_at(middle));
-      run.equations.move_supports(last, run.loads_at(end));
-      const double dt         = step.duration;
-      LA::Vector   correction = mesh.owned_vector();
+      const MotionOfSupports motion(run.equations,
+                                    run.state,
+                                    {step.loads_at_start,
+                                     run.loads_at(middle),
+                                     run.loads_at(end),
+                                     step.duration});
+      LA::Vector             correction = mesh.owned_vector();
       for (const PrescribedDisplacement &p : mesh.prescribed)
         if (mesh.locally_owned.is_element(p.dof))
-          {
-            const double u_0 = run.state.displacement(p.dof),
-                         u_m = halfway.displacement(p.dof),
-                         u_1 = last.displacement(p.dof),
-                         v_0 = run.state.velocity(p.dof);
-            correction(p.dof) =
-              ((3 * u_1 - 4 * u_m + u_0) / dt - (2 * (u_1 - u_0) / dt - v_0)) /
-              dt;
-          }
+          correction(p.dof) =
+            (motion.at_end(p.dof) -
+             (2 * motion.mean(p.dof) - run.state.velocity(p.dof))) /
+            step.duration;
       correction.compress(VectorOperation::insert);
       mesh.constraints.distribute(correction);
       LA::Vector result = mesh.ghosted_vector();
@@ -114,13 +112,18 @@ namespace Biface
     step->middle.factors   = middle.factors;
 
     Attempt attempt;
-    attempt.mu    = trial.mu;
-    attempt.level = level;
+    attempt.mu        = trial.mu;
+    attempt.level     = level;
+    const auto reject = [&attempt](const std::string &why, const double error) {
+      attempt.result.converged = false;
+      attempt.result.failure   = {FailureCause::error_in_time, why};
+      attempt.error_in_time    = error;
+    };
+    // where the error is not known, of a step that becomes half as long
+    const double too_large = 4 * run.stage.time_error;
     if (run.stage.time_error > 0 && loads_change_unevenly(trial, middle))
       {
-        attempt.result.failure = {FailureCause::error_in_time,
-                                  "the loads change too unevenly in the step"};
-        attempt.error_in_time  = 4 * run.stage.time_error;
+        reject("the loads change too unevenly in the step", too_large);
         return attempt;
       }
     step->of_supports       = correction_by_supports(run, *step, middle, level);
@@ -182,29 +185,23 @@ namespace Biface
       }
     if (run.stage.time_error == 0)
       return attempt;
+    // steps whose error is twice the one that is wanted count as well
+    constexpr double  largest = 2;
+    const ErrorInTime error   = error_in_time(run.equations, attempt.state);
     // the first accelerations of a shell at rest have none before them with
     // which they could be compared
     constexpr double first_part = 1e-3;
-    if (is_at_rest(run.equations, attempt.state))
+    if (error.from_rest)
       {
-        if (trial.size <= first_part * (1 + 1e-6))
-          return attempt;
-        result.converged      = false;
-        result.failure        = {FailureCause::error_in_time,
-                                 "a motion begins in the step"};
-        attempt.error_in_time = 4 * run.stage.time_error;
-        return attempt;
+        if (trial.size > first_part * (1 + 1e-6))
+          reject("a motion begins in the step", too_large);
       }
-    // steps whose error is twice the one that is wanted count as well
-    constexpr double largest = 2;
-    attempt.error_in_time    = error_in_time(run.equations, attempt.state);
-    if (!(attempt.error_in_time <= largest * run.stage.time_error))
-      {
-        result.converged = false;
-        result.failure   = {FailureCause::error_in_time,
-                            "the step is too long: its error in time is " +
-                              number_to_string(attempt.error_in_time)};
-      }
+    else if (error.value <= largest * run.stage.time_error)
+      attempt.error_in_time = error.value;
+    else
+      reject("the step is too long: its error in time is " +
+               number_to_string(error.value),
+             error.value);
     return attempt;
   }
 
@@ -219,7 +216,7 @@ namespace Biface
   }
 
 
-  Work
+  EndOfStepInTime
   end_step_in_time(const StageRun                          &run,
                    const std::shared_ptr<const StepInTime> &step,
                    const Loads                             &loads,
@@ -233,9 +230,11 @@ namespace Biface
     for (const auto &pair : run.contact.pairs)
       settle_friction_over_step(*pair, loads, state);
     remember_motion(run.equations, state);
+    const EnergyOfMotion energy =
+      energy_of_motion(run.equations, run.contact, state, loads);
     const Work work =
-      work_in_time(run.equations, run.contact, state, loads, forces);
+      work_in_time(run.equations, run.contact, state, loads, forces, energy);
     state.step.reset();
-    return work;
+    return {work, energy};
   }
 } // namespace Biface

@@ -501,11 +501,14 @@ namespace Biface
                         time});
     equations.commit_step(run.state, loads, time, attempt.state);
 
+    std::optional<EnergyOfMotion> motion;
     if (step)
       {
         forces = over_step;
-        progress.work +=
+        const EndOfStepInTime end =
           end_step_in_time(run, step, loads, *forces, attempt.state);
+        progress.work += end.work;
+        motion = end.energy;
       }
     else
       {
@@ -530,8 +533,7 @@ namespace Biface
     report.n_negative_pivots = result.exact_pivots();
     report.n_heat_rounds     = attempt.n_heat_rounds;
     report.n_cuts            = attempt.n_cuts;
-    if (step)
-      report.motion = energy_of_motion(equations, contact, run.state, loads);
+    report.motion            = motion;
     for (const auto &analysis : analyses)
       analysis->end_step(run, report);
     return report;

@@ -59,12 +59,37 @@ namespace Biface
   } // namespace
 
 
+  MotionOfSupports::MotionOfSupports(const ShellEquations    &equations,
+                                     const State             &state,
+                                     const LoadsOfStepInTime &loads)
+    : at_start(equations.mesh.owned_vector())
+    , at_end(equations.mesh.owned_vector())
+    , mean(equations.mesh.owned_vector())
+  {
+    State      placed = state;
+    const auto place  = [&](const Loads &at) {
+      equations.move_supports(placed, at);
+      return owned_part(placed.displacement);
+    };
+    const LA::Vector u_0 = place(loads.before), u_m = place(loads.middle),
+                     u_1 = place(loads.after);
+    // of the parabola through the three places
+    at_start.add(-3, u_0, 4, u_m);
+    at_start.add(-1, u_1);
+    at_end.add(1, u_0, -4, u_m);
+    at_end.add(3, u_1);
+    mean.add(-1, u_0, 1, u_1);
+    for (LA::Vector *velocity : {&at_start, &at_end, &mean})
+      *velocity /= loads.duration;
+  }
+
+
   void
-  start_motion(const ShellEquations  &equations,
-               const StageMotion     &stage,
-               const std::string     &section,
-               const FirstStepInTime &first,
-               State                 &state)
+  start_motion(const ShellEquations    &equations,
+               const StageMotion       &stage,
+               const std::string       &section,
+               const LoadsOfStepInTime &first,
+               State                   &state)
   {
     const ShellMesh &mesh     = equations.mesh;
     LA::Vector       velocity = mesh.owned_vector();
@@ -87,16 +112,10 @@ namespace Biface
 
     // otherwise the velocities of supports that move would change between twice
     // their velocity and none
-    State before = state, middle = state, after = state;
-    equations.move_supports(before, first.before);
-    equations.move_supports(middle, first.middle);
-    equations.move_supports(after, first.after);
+    const MotionOfSupports motion(equations, state, first);
     for (const PrescribedDisplacement &p : mesh.prescribed)
       if (mesh.locally_owned.is_element(p.dof))
-        velocity(p.dof) =
-          (4 * middle.displacement(p.dof) - 3 * before.displacement(p.dof) -
-           after.displacement(p.dof)) /
-          first.duration;
+        velocity(p.dof) = motion.at_start(p.dof);
     velocity.compress(VectorOperation::insert);
     state.velocity = mesh.ghosted_vector();
     state.velocity = velocity;

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include <biface/model/forces/nodal_forces.h>
-#include <biface/model/quantities/work.h>
+#include <biface/model/time/energy_of_motion.h>
 #include <biface/stepping/attempt.h>
 
 namespace Biface
@@ -26,12 +26,20 @@ namespace Biface
   std::shared_ptr<const NodalForces>
   forces_over_step(const StageRun &run, const Attempt &attempt);
 
+  /** What has happened in a step in time: its work, and the energies at its
+   * end. */
+  struct EndOfStepInTime
+  {
+    Work           work;
+    EnergyOfMotion energy;
+  };
+
+
   /** Complete the state at the end of a step in time: set its velocities and
    * what the next step needs for its error.
    * @param loads at the end of the step.
-   * @param forces on the nodes over the step.
-   * @return the work in the step. */
-  Work
+   * @param forces on the nodes over the step. */
+  EndOfStepInTime
   end_step_in_time(const StageRun                          &run,
                    const std::shared_ptr<const StepInTime> &step,
                    const Loads                             &loads,

@@ -12,12 +12,26 @@ namespace Biface
   struct StageMotion;
 
 
-  /** The first step of a stage with inertia: the loads before it, in its middle
-   * and after it, and its duration. */
-  struct FirstStepInTime
+  /** The loads before a step in time, in its middle and after it, and its
+   * duration. */
+  struct LoadsOfStepInTime
   {
     const Loads &before, &middle, &after;
     double       duration;
+  };
+
+
+  /** How supports that move go through a step in time: the velocities at its
+   * start and at its end by their places there and in its middle, and the mean
+   * one. Locally owned entries, of use at prescribed displacements only. Unit:
+   * length/time. */
+  struct MotionOfSupports
+  {
+    MotionOfSupports(const ShellEquations    &equations,
+                     const State             &state,
+                     const LoadsOfStepInTime &loads);
+
+    LA::Vector at_start, at_end, mean;
   };
 
 
@@ -27,11 +41,11 @@ namespace Biface
    * on all ranks if a formula has no value at a node.
    * @param section that of the stage. */
   void
-  start_motion(const ShellEquations  &equations,
-               const StageMotion     &stage,
-               const std::string     &section,
-               const FirstStepInTime &first,
-               State                 &state);
+  start_motion(const ShellEquations    &equations,
+               const StageMotion       &stage,
+               const std::string       &section,
+               const LoadsOfStepInTime &first,
+               State                   &state);
 } // namespace Biface
 
 #endif

@@ -8,7 +8,6 @@
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_over_step.h>
 #include <biface/model/contact/contact_pair.h>
-#include <biface/model/contact/contact_summary.h>
 #include <biface/model/equations/mass_matrix.h>
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/state/step_in_time.h>
@@ -32,19 +31,12 @@ namespace Biface
     }
 
 
-    /** The product @f$\mathbf v\cdot\mathbf M\,\mathbf v@f$, where v has the
-     * entries of all nodes of this rank. */
+    /** The product @f$\mathbf v\cdot\mathbf M\,\mathbf v@f$ of locally owned
+     * entries. */
     double
     mass_product(const ShellMesh &mesh, const LA::Vector &v)
     {
-      return inertia(mesh, v) * owned_part(v);
-    }
-
-
-    double
-    mass_product_of_owned(const ShellMesh &mesh, const LA::Vector &owned)
-    {
-      return mass_product(mesh, with_ghosts(mesh, owned));
+      return inertia(mesh, with_ghosts(mesh, v)) * v;
     }
 
 
@@ -102,7 +94,8 @@ namespace Biface
                const ContactInteraction &contact,
                const State              &state,
                const Loads              &loads,
-               const NodalForces        &forces)
+               const NodalForces        &forces,
+               const EnergyOfMotion     &after)
   {
     const ShellMesh  &mesh   = equations.mesh;
     const StepInTime &step   = *state.step;
@@ -128,7 +121,7 @@ namespace Biface
       }
 
     const double mass_damping = step.damping.of_mass / step.duration *
-                                mass_product_of_owned(mesh, change),
+                                mass_product(mesh, change),
                  of_strains = equations.dissipated_energy(state),
                  parts      = step.weight_of_end() - 0.5,
                  numerical  = parts > 0
@@ -137,10 +130,8 @@ namespace Biface
     result.damping          = mass_damping + of_strains - numerical;
     result.numerical        = numerical;
 
-    const EnergyOfMotion before = energy_of_motion(
-                           equations, contact, step.start, step.loads_at_start),
-                         after =
-                           energy_of_motion(equations, contact, state, loads);
+    const EnergyOfMotion before =
+      energy_of_motion(equations, contact, step.start, step.loads_at_start);
     // what goes into the springs of contact and does not come out
     const double lost =
       result.ground - on_shell - (after.contact - before.contact);
@@ -161,9 +152,7 @@ namespace Biface
                   const State               &state,
                   const std::vector<double> &remembered)
     {
-      return mass_product_of_owned(equations.mesh,
-                                   state.step->velocity(state)) /
-               2 +
+      return mass_product(equations.mesh, state.step->velocity(state)) / 2 +
              std::abs(equations.strain_energy(state) -
                       remembered[strain_energy_at_start]);
     }
@@ -180,27 +169,19 @@ namespace Biface
   } // namespace
 
 
-  bool
-  is_at_rest(const ShellEquations &equations, const State &state)
-  {
-    // what round-off and the iteration leave is no motion
-    constexpr double negligible = 1e-9;
-
-    const std::vector<double> last = remembered_before(state);
-    return !last.empty() &&
-           last[largest_energy] <=
-             negligible * energy_at_end(equations, state, last);
-  }
-
-
-  double
+  ErrorInTime
   error_in_time(const ShellEquations &equations, const State &state)
   {
     const ShellMesh          &mesh = equations.mesh;
     const StepInTime         &step = *state.step;
     const std::vector<double> last = remembered_before(state);
     if (last.empty())
-      return 0;
+      return {};
+    // what round-off and the iteration leave is no motion
+    constexpr double negligible = 1e-9;
+    const double     now        = energy_at_end(equations, state, last);
+    ErrorInTime      result;
+    result.from_rest  = last[largest_energy] <= negligible * now;
     LA::Vector change = step.acceleration(state), before = mesh.owned_vector();
     for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
       if (mesh.nodes[n].locally_owned)
@@ -212,35 +193,31 @@ namespace Biface
 
     // the velocity that has the largest energy of the motion, with that of the
     // end of this step
-    const double energy =
-      std::max(last[largest_energy], energy_at_end(equations, state, last));
-    if (!(energy > 0))
-      return 0;
+    const double energy = std::max(last[largest_energy], now);
     const double dt = step.duration, between = (dt + last[duration]) / 2;
-    return dt * dt / 12 / between *
-           std::sqrt(mass_product_of_owned(mesh, change) / (2 * energy));
+    if (energy > 0)
+      result.value = dt * dt / 12 / between *
+                     std::sqrt(mass_product(mesh, change) / (2 * energy));
+    return result;
   }
 
 
   void
   remember_motion(const ShellEquations &equations, State &state)
   {
-    const ShellMesh  &mesh          = equations.mesh;
-    const StepInTime &step          = *state.step;
-    const double      strain_energy = equations.strain_energy(state),
-                 kinetic            = mass_product(mesh, state.velocity) / 2;
-
-    TermState &term = state.terms[Inertia::body];
+    const ShellMesh  &mesh = equations.mesh;
+    const StepInTime &step = *state.step;
+    TermState        &term = state.terms[Inertia::body];
     if (term.numbers.empty())
       {
         term.numbers.resize(n_remembered);
         term.numbers[strain_energy_at_start] =
           equations.strain_energy(step.start);
       }
-    term.numbers[duration]       = step.duration;
-    term.numbers[largest_energy] = std::max(
-      term.numbers[largest_energy],
-      kinetic + std::abs(strain_energy - term.numbers[strain_energy_at_start]));
+    term.numbers[duration] = step.duration;
+    term.numbers[largest_energy] =
+      std::max(term.numbers[largest_energy],
+               energy_at_end(equations, state, term.numbers));
 
     const LA::Vector acceleration = with_ghosts(mesh, step.acceleration(state));
     term.at_nodes.reinit(mesh.nodes.size(), mesh.n_dofs_per_node());

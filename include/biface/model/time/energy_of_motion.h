@@ -54,30 +54,34 @@ namespace Biface
    * @param state at the end of the step, with its new velocity.
    * @param loads there.
    * @param forces on the nodes over the step.
+   * @param after the energies at the end of the step.
    */
   Work
   work_in_time(const ShellEquations     &equations,
                const ContactInteraction &contact,
                const State              &state,
                const Loads              &loads,
-               const NodalForces        &forces);
+               const NodalForces        &forces,
+               const EnergyOfMotion     &after);
 
 
-  /** The error in time of a step: the norm of
-   * @f$\frac{\Delta t^3}{12}\dot{\mathbf a}@f$ with the mass matrix, relative
-   * to the motion in the step with the largest velocity so far. The change of
-   * the accelerations is that from the middle of the step before; 0 in the
-   * first step.
+  /** The error in time of a step. */
+  struct ErrorInTime
+  {
+    /** Whether the shell has been at rest in the steps before, so that no
+     * acceleration before tells the error. */
+    bool from_rest = false;
+    /** The norm of @f$\frac{\Delta t^3}{12}\dot{\mathbf a}@f$ with the mass
+     * matrix, relative to the motion in the step with the largest velocity so
+     * far. The change of the accelerations is that from the middle of the step
+     * before; 0 in the first step of a stage. */
+    double value = 0;
+  };
+
+  /** Must be called on all ranks.
    * @param state at the end of the step. */
-  double
+  ErrorInTime
   error_in_time(const ShellEquations &equations, const State &state);
-
-
-  /** Whether the shell has been at rest up to the start of a step in which it
-   * moves.
-   * @param state at the end of the step. */
-  bool
-  is_at_rest(const ShellEquations &equations, const State &state);
 
 
   /** Let a state at the end of a step remember what error_in_time() needs: its
