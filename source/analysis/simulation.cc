@@ -17,6 +17,7 @@
 #include <biface/solver/buckling_analysis.h>
 #include <biface/solver/linear/make_linear_solver.h>
 #include <biface/stepping/controls/make_control.h>
+#include <biface/stepping/frequency_responses.h>
 #include <biface/stepping/rolling_report.h>
 #include <biface/stepping/stage_buckling.h>
 #include <biface/stepping/stage_modes.h>
@@ -82,6 +83,15 @@ namespace Biface
           throw InputError(section + "/Critical points",
                            "switch branch",
                            "supports must not prescribe displacements");
+        // the translation of a sector is none of the whole
+        for (const std::string &excitation : stage.excitations)
+          if (const auto motion = StageResponse::motion(excitation);
+              motion && parameters.supports.is_cyclic() &&
+              std::abs(mesh->get_surface().axis()[motion->second]) < 1 - 1e-9)
+            throw InputError(section + "/Excitations",
+                             excitation,
+                             "a sector with cyclic edges can only move along "
+                             "its axis");
         // beyond, Lanczos' method has no room
         for (const auto &[entry, n] :
              {std::make_pair("/Modes", stage.n_modes),
@@ -145,7 +155,8 @@ namespace Biface
     for (Stage &stage : coarse_parameters.stages)
       {
         stage.n_modes = stage.n_buckling = 0;
-        stage.critical_points            = CriticalPoints::ignore;
+        stage.frequencies.clear();
+        stage.critical_points = CriticalPoints::ignore;
       }
     coarse_parameters.sensitivities = SensitivityParameters();
     // far less than the error of the coarser mesh
@@ -267,13 +278,19 @@ namespace Biface
 
 
   StageAnalyses
-  Simulation::make_analyses(BucklingAnalysis &buckling_analysis)
+  Simulation::make_analyses(BucklingAnalysis   &buckling_analysis,
+                            const Newton::Stop &stop)
   {
     const auto with_left = [this](const unsigned int stage) {
       return sensitivities && sensitivities->reads_left_eigenvectors(stage);
     };
     StageAnalyses analyses{std::make_shared<RollingReport>(out),
                            std::make_shared<StepWarnings>(out)};
+    if (std::any_of(parameters.stages.begin(),
+                    parameters.stages.end(),
+                    [](const Stage &stage) { return stage.vibrates(); }))
+      analyses.push_back(std::make_shared<FrequencyResponses>(
+        equations, contact, timer, stop, out));
     if (std::any_of(parameters.stages.begin(),
                     parameters.stages.end(),
                     [](const Stage &stage) { return stage.n_modes > 0; }))
@@ -323,7 +340,7 @@ namespace Biface
                                      : nested  ? *nested
                                                : none,
                                buckling_analysis,
-                               make_analyses(buckling_analysis),
+                               make_analyses(buckling_analysis, stop),
                                out);
     LoadSteppingResult result =
       load_stepping.run(parameters.stages, progress, state, ends, observer);

@@ -103,6 +103,19 @@ namespace Biface
   }
 
 
+  Laminate
+  Laminate::with_plies(std::vector<Ply> other) const
+  {
+    return Laminate(std::move(other),
+                    law,
+                    functions.reference_height,
+                    transverse_shear.get_law(),
+                    functions.curvature,
+                    transverse_shear.get_wall(),
+                    along_normal);
+  }
+
+
   double
   Laminate::thickness() const
   {

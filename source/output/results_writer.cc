@@ -15,6 +15,7 @@
 #include <biface/output/mode_vtu.h>
 #include <biface/output/modes_file.h>
 #include <biface/output/probes_file.h>
+#include <biface/output/response_file.h>
 #include <biface/output/results_writer.h>
 #include <biface/output/rolling_file.h>
 #include <biface/output/sensitivities_file.h>
@@ -69,6 +70,7 @@ namespace Biface
     add(std::make_unique<HysteresisFile>(stages, directory, equations));
     add(std::make_unique<HeatFile>(stages, directory, equations));
     add(std::make_unique<ModesFile>(stages, directory, equations));
+    add(std::make_unique<ResponseFile>(stages, directory, equations));
     add(std::make_unique<BucklingFile>(stages, directory, equations));
     if (equations.mesh.grid.has_lines())
       add(std::make_unique<BucklingShapesFile>(stages, directory, equations));

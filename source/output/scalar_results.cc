@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include <biface/base/errors.h>
-#include <biface/output/probes_file.h>
+#include <biface/model/quantities/point_displacement.h>
 #include <biface/output/scalar_results.h>
 #include <biface/solver/modal_analysis.h>
 #include <biface/stepping/buckling.h>

@@ -7,8 +7,8 @@
 #include <functional>
 #include <string>
 
+#include <biface/model/quantities/point_displacement.h>
 #include <biface/model/state/loads.h>
-#include <biface/output/probes_file.h>
 #include <biface/output/summary_table.h>
 
 namespace Biface

@@ -108,14 +108,15 @@ namespace Biface
 
   namespace
   {
-    /** The iterations that take as long as the modes and buckling loads at the
-     * end of a stage. */
+    /** The iterations that take as long as the modes, the buckling loads and
+     * the response at the end of a stage. */
     double
     iterations_at_end(const Stage &stage)
     {
-      constexpr double of_mode = 0.5;
-      const double     n       = stage.n_modes + stage.n_buckling;
-      return n > 0 ? 1 + of_mode * n : 0.;
+      constexpr double of_mode = 0.5, of_frequency = 4;
+      const double     n = stage.n_modes + stage.n_buckling;
+      return (n > 0 ? 1 + of_mode * n : 0.) +
+             of_frequency * stage.frequencies.size();
     }
   } // namespace
 

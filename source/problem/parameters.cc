@@ -177,6 +177,7 @@ namespace Biface
     check_gas();
     check_damping();
     check_inertia();
+    check_response();
     check_friction();
     for (unsigned int i = 0; i < stages.size(); ++i)
       stages[i].check_slide("Stage " + std::to_string(i + 1),
@@ -284,7 +285,7 @@ namespace Biface
   {
     const auto stage =
       std::find_if(stages.begin(), stages.end(), [](const Stage &stage) {
-        return stage.n_modes > 0 || stage.inertia;
+        return stage.n_modes > 0 || stage.inertia || stage.vibrates();
       });
     // frequencies without a part of the mass would mean nothing
     if (stage == stages.end())
@@ -295,7 +296,9 @@ namespace Biface
           throw InputError("Material " + material.name + "/Density",
                            "0",
                            std::string("it must be positive for the ") +
-                             (stage->inertia ? "'Inertia'" : "'Modes'") +
+                             (stage->inertia      ? "'Inertia'"
+                              : stage->vibrates() ? "'Frequency response'"
+                                                  : "'Modes'") +
                              " of stage " +
                              std::to_string(stage - stages.begin() + 1));
   }

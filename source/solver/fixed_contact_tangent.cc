@@ -21,87 +21,14 @@ namespace Biface
 
   namespace
   {
-    bool
-    rolls_with_friction(const Loads &loads)
-    {
-      return std::any_of(
-        loads.bodies.begin(), loads.bodies.end(), [](const auto &body) {
-          return body.second.laws.tangential().depends_on_velocity();
-        });
-    }
-
-
     /** The loads of the tangent: a body on which the shell rolls with friction
      * acts with its own derivatives; the others hold the nodes in contact. */
     Loads
     with_bodies_that_stay(const Loads &loads)
     {
-      return rolls_with_friction(loads)
+      return FixedContactTangent::rolls_with_friction(loads)
                ? loads
                : FixedContactTangent::without_bodies(loads);
-    }
-
-
-    /** The stiffness by which the bodies hold the nodes in contact. */
-    void
-    add_stiffness_of_contact(const ContactInteraction &contact,
-                             State                     state,
-                             const Loads              &loads,
-                             TangentMatrix            &stiffness_of_contact)
-    {
-      for (const auto &[number, body] : loads.bodies)
-        body.laws.tangential().stick_all(state.contacts[number]);
-      const ShellMesh &mesh    = contact.mesh;
-      LA::Vector       nothing = mesh.owned_vector();
-      for (const unsigned int c : mesh.walls)
-        {
-          const Cell               &cell = mesh.cells[c];
-          MixedElement::NodalMatrix matrix{};
-          bool                      any = false;
-          for (const auto &pair : contact.pairs)
-            for (unsigned int i = 0; i < pair->points.on_cell().size(); ++i)
-              {
-                const auto        &point = pair->points.on_cell()[i];
-                const unsigned int n     = pair->points.number(cell, i);
-                if (!pair->state_of(state).active[n])
-                  continue;
-                any = true;
-                const Tensor<2, 3> stiffness =
-                  pair->traction(state, loads, n).stiffness;
-                const double part = pair->points.area(cell, i) / 2;
-                for (unsigned int r = 0; r < 4; ++r)
-                  for (unsigned int s = 0; s < 4; ++s)
-                    {
-                      // lumped also where the multipliers are not
-                      const double weight =
-                        part * point.position[r] * point.position[s];
-                      if (weight == 0)
-                        continue;
-                      const auto &row = mesh.nodes[cell.nodes[r]].surface.frame,
-                                 &column =
-                                   mesh.nodes[cell.nodes[s]].surface.frame;
-                      Tensor<2, 3> in_frame;
-                      // the symmetric part: friction does not make a held node
-                      // unsymmetric
-                      for (unsigned int i = 0; i < 3; ++i)
-                        for (unsigned int j = 0; j < 3; ++j)
-                          in_frame[i][j] =
-                            weight * (row[i] * (stiffness * column[j]) +
-                                      column[j] * (stiffness * row[i]));
-                      MixedElement::add_stiffness(
-                        in_frame,
-                        r,
-                        cell.sign_of_face(r, pair->face),
-                        s,
-                        cell.sign_of_face(s, pair->face),
-                        matrix);
-                    }
-              }
-          if (any)
-            stiffness_of_contact.add(
-              c, matrix, MixedElement::NodalVector(), nothing);
-        }
-      stiffness_of_contact.compress();
     }
 
 
@@ -151,6 +78,75 @@ namespace Biface
   FixedContactTangent::~FixedContactTangent() = default;
 
 
+  bool
+  FixedContactTangent::rolls_with_friction(const Loads &loads)
+  {
+    return std::any_of(
+      loads.bodies.begin(), loads.bodies.end(), [](const auto &body) {
+        return body.second.laws.tangential().depends_on_velocity();
+      });
+  }
+
+
+  void
+  FixedContactTangent::add_stiffness_of(const ContactPair &pair,
+                                        const State       &given,
+                                        const Loads       &loads,
+                                        TangentMatrix     &stiffness_of_contact)
+  {
+    State state = given;
+    for (const auto &[number, body] : loads.bodies)
+      body.laws.tangential().stick_all(state.contacts[number]);
+    const ShellMesh &mesh    = pair.mesh;
+    LA::Vector       nothing = mesh.owned_vector();
+    for (const unsigned int c : mesh.walls)
+      {
+        const Cell               &cell = mesh.cells[c];
+        MixedElement::NodalMatrix matrix{};
+        bool                      any = false;
+        for (unsigned int i = 0; i < pair.points.on_cell().size(); ++i)
+          {
+            const auto        &point = pair.points.on_cell()[i];
+            const unsigned int n     = pair.points.number(cell, i);
+            if (!pair.state_of(state).active[n])
+              continue;
+            any = true;
+            const Tensor<2, 3> stiffness =
+              pair.traction(state, loads, n).stiffness;
+            const double part = pair.points.area(cell, i) / 2;
+            for (unsigned int r = 0; r < 4; ++r)
+              for (unsigned int s = 0; s < 4; ++s)
+                {
+                  // lumped also where the multipliers are not
+                  const double weight =
+                    part * point.position[r] * point.position[s];
+                  if (weight == 0)
+                    continue;
+                  const auto &row    = mesh.nodes[cell.nodes[r]].surface.frame,
+                             &column = mesh.nodes[cell.nodes[s]].surface.frame;
+                  Tensor<2, 3> in_frame;
+                  // the symmetric part: friction does not make a held node
+                  // unsymmetric
+                  for (unsigned int i = 0; i < 3; ++i)
+                    for (unsigned int j = 0; j < 3; ++j)
+                      in_frame[i][j] =
+                        weight * (row[i] * (stiffness * column[j]) +
+                                  column[j] * (stiffness * row[i]));
+                  MixedElement::add_stiffness(in_frame,
+                                              r,
+                                              cell.sign_of_face(r, pair.face),
+                                              s,
+                                              cell.sign_of_face(s, pair.face),
+                                              matrix);
+                }
+          }
+        if (any)
+          stiffness_of_contact.add(
+            c, matrix, MixedElement::NodalVector(), nothing);
+      }
+  }
+
+
   const LA::SparseMatrix &
   FixedContactTangent::stiffness_of_contact(const State &state,
                                             const Loads &loads)
@@ -159,8 +155,20 @@ namespace Biface
       of_contact =
         std::make_unique<TangentMatrix>(contact.mesh, contact.mesh.constraints);
     of_contact->clear();
-    add_stiffness_of_contact(contact, state, loads, *of_contact);
+    for (const auto &pair : contact.pairs)
+      add_stiffness_of(*pair, state, loads, *of_contact);
+    of_contact->compress();
     return of_contact->get();
+  }
+
+
+  std::pair<State, Loads>
+  FixedContactTangent::of_tangent(const State &state, const Loads &loads)
+  {
+    Loads now = with_bodies_that_stay(loads);
+    // with the loads at the end, as the stresses
+    now.linearized_at.reset();
+    return {with_stresses_in_tangent(state), now};
   }
 
 
@@ -170,10 +178,8 @@ namespace Biface
                                 LA::SparseMatrix &K)
   {
     TimerOutput::Scope scope(timer, "Assembly");
-    Loads              now = with_bodies_that_stay(loads);
-    // with the loads at the end, as the stresses
-    now.linearized_at.reset();
-    equations.assemble(with_stresses_in_tangent(state), now);
+    const auto [of_stresses, now] = of_tangent(state, loads);
+    equations.assemble(of_stresses, now);
     K.copy_from(equations.tangent());
   }
 

@@ -99,6 +99,7 @@ namespace Biface
                       Patterns::Bool());
     StageMotion::add_parameters(prm);
     StageResults::add_parameters(prm);
+    StageResponse::add_parameters(prm);
   }
 
 
@@ -113,8 +114,9 @@ namespace Biface
                        "mark or a line break");
     StageLoads::check(section);
     StageControl::check(section);
-    StageMotion::check(section);
+    StageMotion::check(section, vibrates());
     StageResults::check(section);
+    StageResponse::check(section);
     if (theory == StrainTheory::linear &&
         (control != ControlKind::load || !forces_on_bodies.empty()))
       throw InputError(section + "/Strain theory",

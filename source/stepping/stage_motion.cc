@@ -118,17 +118,19 @@ namespace Biface
       "factors': 'load factor: sin(200*t)'. They replace the entries of these "
       "names; all other loads change evenly in the stage.",
       RestartChange::within_stage);
-    prm.add_parameter("Mass damping",
-                      damping_in_time.of_mass,
-                      "Force per mass and velocity that brakes a shell with "
-                      "inertia: alpha of Rayleigh's damping. It also brakes "
-                      "rigid motions.",
-                      Patterns::Double(),
-                      Unit("1/time"));
+    prm.add_parameter(
+      "Mass damping",
+      damping_in_time.of_mass,
+      "Force per mass and velocity that brakes a shell with "
+      "inertia or in a 'Frequency response': alpha of Rayleigh's damping. It also brakes "
+      "rigid motions.",
+      Patterns::Double(),
+      Unit("1/time"));
     prm.add_parameter("Stiffness damping",
                       damping_in_time.of_stiffness,
                       "Stress of a rate of strain, divided by the stress of "
-                      "such a strain, in a shell with inertia: beta of "
+                      "such a strain, in a shell with inertia or in a "
+                      "'Frequency response': beta of "
                       "Rayleigh's damping. It leaves rigid motions as they "
                       "are.",
                       Patterns::Double(),
@@ -214,7 +216,7 @@ namespace Biface
 
 
   void
-  StageMotion::check(const std::string &section) const
+  StageMotion::check(const std::string &section, const bool vibrates) const
   {
     const auto refuse_without_inertia = [&](const bool         given,
                                             const std::string &entry,
@@ -230,8 +232,18 @@ namespace Biface
                                number_to_string(time_step.value_or(0)));
         for (const auto &[entry, value] :
              {std::make_pair("Mass damping", damping_in_time.of_mass),
-              std::make_pair("Stiffness damping", damping_in_time.of_stiffness),
-              std::make_pair("Numerical damping", damping_in_time.numerical),
+              std::make_pair("Stiffness damping",
+                             damping_in_time.of_stiffness)})
+          {
+            if (value != 0 && !vibrates)
+              throw InputError(section + "/" + entry,
+                               number_to_string(value),
+                               "it needs 'Inertia = true' or a 'Frequency "
+                               "response'");
+            check_not_negative(section + "/" + entry, value);
+          }
+        for (const auto &[entry, value] :
+             {std::make_pair("Numerical damping", damping_in_time.numerical),
               std::make_pair("Contact damping", damping_in_time.of_contact)})
           refuse_without_inertia(value != 0, entry, number_to_string(value));
         refuse_without_inertia(

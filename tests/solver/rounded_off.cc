@@ -5,7 +5,7 @@
 // with the radius over thickness 1e6 has the displacement of inextensional
 // bending (Timoshenko and Woinowsky-Krieger, Theory of Plates and Shells, 120).
 
-#include <biface/output/probes_file.h>
+#include <biface/model/quantities/point_displacement.h>
 
 #include <run_analysis.h>
 #include <tests.h>

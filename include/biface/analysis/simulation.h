@@ -133,7 +133,8 @@ namespace Biface
 
     /** Create what accompanies the stages. */
     StageAnalyses
-    make_analyses(BucklingAnalysis &buckling_analysis);
+    make_analyses(BucklingAnalysis   &buckling_analysis,
+                  const Newton::Stop &stop);
 
     /** Run all stages on the coarser mesh, and record the states of its steps.
      */

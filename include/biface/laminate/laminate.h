@@ -133,6 +133,12 @@ namespace Biface
       return plies;
     }
 
+    /** The same stack with other laws of its plies, whose number and thickness
+     * are the same. In a layer of a wall, the transverse shear stresses keep
+     * their distribution over the wall. */
+    Laminate
+    with_plies(std::vector<Ply> other) const;
+
     /** The total thickness h. Unit: length. */
     double
     thickness() const;

@@ -117,6 +117,18 @@ namespace Biface
       return plies;
     }
 
+    const TransverseShearLaw &
+    get_law() const
+    {
+      return law;
+    }
+
+    const WallOfLayer &
+    get_wall() const
+    {
+      return wall;
+    }
+
     double
     get_thickness() const
     {

@@ -164,6 +164,10 @@ namespace Biface
     void
     check_inertia() const;
 
+    /** Check what shakes the shell in a frequency response. */
+    void
+    check_response() const;
+
     /** Check the coefficients of friction, and where nodes are glued. */
     void
     check_friction() const;

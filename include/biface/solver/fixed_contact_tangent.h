@@ -6,6 +6,7 @@
 #include <deal.II/base/timer.h>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
@@ -15,6 +16,7 @@
 namespace Biface
 {
   class ContactInteraction;
+  class ContactPair;
   class TangentMatrix;
 
 
@@ -71,6 +73,23 @@ namespace Biface
     /** The loads without the bodies in contact. */
     static Loads
     without_bodies(const Loads &loads);
+
+    /** Whether the shell rolls with friction, so that the bodies act with their
+     * own derivatives. */
+    static bool
+    rolls_with_friction(const Loads &loads);
+
+    /** The state and the loads whose tangent assemble() computes. */
+    static std::pair<State, Loads>
+    of_tangent(const State &state, const Loads &loads);
+
+    /** Add the stiffness by which a body holds the nodes in contact, if it does
+     * not roll with friction, to a matrix with any constraints. */
+    static void
+    add_stiffness_of(const ContactPair &pair,
+                     const State       &state,
+                     const Loads       &loads,
+                     TangentMatrix     &stiffness);
 
     /** Whether the tangent that assemble() gave for these loads is symmetric,
      * see ShellEquations::is_symmetric(). */

@@ -11,6 +11,7 @@
 #include <biface/stepping/stage_control.h>
 #include <biface/stepping/stage_loads.h>
 #include <biface/stepping/stage_motion.h>
+#include <biface/stepping/stage_response.h>
 #include <biface/stepping/stage_results.h>
 
 namespace Biface
@@ -45,7 +46,11 @@ namespace Biface
   /** A stage of loading: from the end of the previous stage, or of another one
    * before, to its own loads, in steps that its control chooses, with the
    * results asked for. */
-  struct Stage : StageLoads, StageControl, StageMotion, StageResults
+  struct Stage : StageLoads,
+                 StageControl,
+                 StageMotion,
+                 StageResults,
+                 StageResponse
   {
     std::string  name   = "stage";
     StrainTheory theory = StrainTheory::nonlinear;
@@ -99,6 +104,7 @@ namespace Biface
       StageControl::serialize(archive, version);
       StageMotion::serialize(archive, version);
       StageResults::serialize(archive, version);
+      StageResponse::serialize(archive, version);
       serialize_optional(archive, start_from);
       archive &name &theory &from_prestress &may_fail;
     }

@@ -54,9 +54,11 @@ namespace Biface
              StageControl      &control,
              StageLoads        &loads) const;
 
-    /** Throws InputError if a value is invalid. */
+    /** Throws InputError if a value is invalid.
+     * @param vibrates whether there is a response to harmonic excitations, in
+     * which the shell is damped, too. */
     void
-    check(const std::string &section) const;
+    check(const std::string &section, const bool vibrates) const;
 
     template <class Archive>
     void

@@ -25,6 +25,7 @@ namespace Biface
 {
   struct Buckling;
   struct CriticalPoint;
+  struct FrequencyResponse;
   struct SensitivityTable;
   struct VibrationModes;
 
@@ -97,9 +98,10 @@ namespace Biface
     double                      seconds = 0;
     /** The results at the end of a stage that asks for them; null if there are
      * none. */
-    std::shared_ptr<const VibrationModes>   modes;
-    std::shared_ptr<const Buckling>         buckling;
-    std::shared_ptr<const SensitivityTable> sensitivities;
+    std::shared_ptr<const VibrationModes>    modes;
+    std::shared_ptr<const Buckling>          buckling;
+    std::shared_ptr<const FrequencyResponse> response;
+    std::shared_ptr<const SensitivityTable>  sensitivities;
     /** The critical point that the step has passed; null if there is none. */
     std::shared_ptr<const CriticalPoint> critical_point;
   };

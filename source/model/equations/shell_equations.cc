@@ -191,6 +191,17 @@ namespace Biface
   } // namespace
 
 
+  std::vector<const Cell *>
+  ShellEquations::of_terms() const
+  {
+    std::vector<const Cell *> result;
+    for (const Element &element : elements)
+      if (element.owner)
+        result.push_back(element.cell);
+    return result;
+  }
+
+
   void
   ShellEquations::assemble(const State &state, const Loads &loads_at_end)
   {
@@ -212,12 +223,8 @@ namespace Biface
               known_couplings.push_back(coupling);
               known_couplings.back().stiffness.reinit(0, 0);
             }
-        std::vector<const Cell *> of_terms;
-        for (const Element &element : elements)
-          if (element.owner)
-            of_terms.push_back(element.cell);
         matrix = std::make_unique<TangentMatrix>(
-          mesh, constraints, known_couplings, of_terms);
+          mesh, constraints, known_couplings, of_terms());
       }
     matrix->clear();
     rhs = 0;
@@ -262,6 +269,34 @@ namespace Biface
     given_forces                 = std::sqrt(load_square + constant_square);
     force_scale = std::sqrt(Utilities::MPI::sum(square, mesh.communicator) +
                             load_square + constant_square);
+  }
+
+
+  std::unique_ptr<TangentMatrix>
+  ShellEquations::tangent_with(const AffineConstraints<double> &constraints,
+                               const State                     &state,
+                               const Loads                     &loads) const
+  {
+    std::vector<ForceTerm::Coupling> couplings;
+    for (const ForceTerm *term : terms)
+      term->add_couplings(state, loads, couplings);
+    auto result =
+      std::make_unique<TangentMatrix>(mesh, constraints, couplings, of_terms());
+    for (const ForceTerm::Coupling &coupling : couplings)
+      result->add(coupling);
+    LA::Vector            nothing = mesh.owned_vector();
+    ForceTerm::CellForces forces;
+    for (const Element &element : elements)
+      {
+        sum_forces(element, state, loads, forces);
+        const MixedElement::NodalVector none;
+        if (element.owner)
+          result->add(*element.cell, forces.tangent, none, nothing);
+        else
+          result->add(element.index, forces.tangent, none, nothing);
+      }
+    result->compress();
+    return result;
   }
 
 
@@ -492,8 +527,19 @@ namespace Biface
 
   LA::Vector
   ShellEquations::load_direction(const State     &state,
-                                 const Loads     &loads_at_end,
+                                 const Loads     &loads,
                                  const LoadRates &rates) const
+  {
+    LA::Vector direction = nodal_load_rates(state, loads, rates);
+    mesh.condense(direction);
+    return direction;
+  }
+
+
+  LA::Vector
+  ShellEquations::nodal_load_rates(const State     &state,
+                                   const Loads     &loads_at_end,
+                                   const LoadRates &rates) const
   {
     Assert(!state.linearization_point, ExcNotImplemented());
     const StepInTime *step      = state.step.get();
@@ -528,7 +574,6 @@ namespace Biface
     for (const ForceTerm *term : terms)
       term->add_load_derivative_of_couplings(state, loads, rates, direction);
     direction.compress(VectorOperation::add);
-    mesh.condense(direction);
     return direction;
   }
 

@@ -81,10 +81,11 @@ namespace Biface
   } // namespace
 
 
-  VelocityMatrix::VelocityMatrix(const ContactInteraction &contact,
-                                 const State              &state,
-                                 const Loads              &loads)
-    : mesh(contact.mesh), matrix(mesh, mesh.constraints)
+  VelocityMatrix::VelocityMatrix(const ContactInteraction        &contact,
+                                 const State                     &state,
+                                 const Loads                     &loads,
+                                 const AffineConstraints<double> &constraints)
+    : mesh(contact.mesh), matrix(mesh, constraints)
   {
     Assert(loads.rolling, ExcNotInitialized());
     const double angular_velocity = loads.rolling->angular_velocity;
@@ -135,8 +136,8 @@ namespace Biface
                        const State              &state,
                        const Loads              &loads)
   {
-    return loads.rolling
-             ? std::make_unique<const VelocityMatrix>(contact, state, loads)
-             : nullptr;
+    return loads.rolling ? std::make_unique<const VelocityMatrix>(
+                             contact, state, loads, contact.mesh.constraints)
+                         : nullptr;
   }
 } // namespace Biface

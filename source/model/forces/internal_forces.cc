@@ -466,6 +466,47 @@ namespace Biface
   }
 
 
+  void
+  InternalForces::add_law(const State               &state,
+                          const unsigned int         c,
+                          const Laminate            &laminate,
+                          const double               factor,
+                          MixedElement::NodalMatrix &K) const
+  {
+    const Cell                 &cell = mesh.cells[c];
+    std::vector<ModeStiffness>  linear;
+    std::vector<NonlinearPlies> others;
+    add_laws(laminate, cell.geometry.tangents(), linear, others);
+    const MixedElement        element(cell.geometry,
+                               mesh.cell_values(state.displacement, cell));
+    NonlinearPlies::Stiffness added;
+    const bool                any =
+      !others[0].all_linear() &&
+      others[0].stiffness(
+        initial_strain(state, c) + strains_of(element, c), added, {});
+    MixedElement::NodalMatrix of_law{};
+    element.add_tangent(
+      linear[0], Modes::Vector(), of_law, any ? &added : nullptr);
+    for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
+      for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
+        K[i][j] += factor * of_law[i][j];
+  }
+
+
+  void
+  InternalForces::add_damping(const State               &state,
+                              const unsigned int         c,
+                              MixedElement::NodalMatrix &C) const
+  {
+    const Cell                        &cell = mesh.cells[c];
+    const MixedElement                 element(cell.geometry,
+                               mesh.cell_values(state.displacement, cell));
+    const std::optional<Modes::Matrix> of_plies = initial_stiffness(cell);
+    element.add_tangent(
+      stiffness_of(cell), Modes::Vector(), C, of_plies ? &*of_plies : nullptr);
+  }
+
+
   LA::Vector
   InternalForces::forces_of(const std::vector<Modes::Vector> &resultants) const
   {

@@ -323,6 +323,23 @@ namespace Biface
   }
 
 
+  std::vector<ForceOnShell>
+  forces_of_supports(const ShellMesh  &mesh,
+                     const LA::Vector &displacement,
+                     const LA::Vector &missing)
+  {
+    const std::vector<std::string> &bodies = mesh.supported.bodies;
+    Resultant  resultant(mesh, displacement, bodies.size());
+    LA::Vector readable = mesh.ghosted_vector();
+    readable            = missing;
+    for (const SupportedNodes::Item &item : mesh.supported.items)
+      if (mesh.nodes[item.nodes[0]].locally_owned)
+        for (const auto &part : support_forces(mesh, item, readable))
+          resultant.add(part.body, mesh.nodes[part.node], part.forces);
+    return resultant.on_all_ranks(bodies);
+  }
+
+
   const ForceOnShell &
   force_of_ground(const std::vector<ForceOnShell> &forces)
   {

@@ -90,6 +90,14 @@ namespace Biface
       return is_symmetric(loads, tangent());
     }
 
+    /** The derivative of the forces on all nodes by a parameter, for given
+     * rates of the loads, regardless of supports: what load_direction() moves
+     * to the free unknowns. */
+    LA::Vector
+    nodal_load_rates(const State     &state,
+                     const Loads     &loads,
+                     const LoadRates &rates) const;
+
     /** Let the terms set what they remember, see ForceTerm::start_stage().
      * @param loads those at the start of the stage. */
     void
@@ -119,6 +127,15 @@ namespace Biface
      * ForceTerm::prepare(). */
     std::string
     prepare(const Loads &loads, State &state) const override;
+
+    /** The tangent of assemble(), with the unknowns that supports hold, too,
+     * and with constraints that need not be those of the supports. Must be
+     * called on all ranks.
+     * @param constraints kept by reference. */
+    std::unique_ptr<TangentMatrix>
+    tangent_with(const dealii::AffineConstraints<double> &constraints,
+                 const State                             &state,
+                 const Loads                             &loads) const;
 
     /** The residual() of any state, without an assembly. The displacements at
      * the supports are those of the state. */
@@ -211,6 +228,10 @@ namespace Biface
        */
       const ForceTerm *owner = nullptr;
     };
+
+    /** The elements of terms, see ForceTerm::elements(). */
+    std::vector<const Cell *>
+    of_terms() const;
 
     bool
     acts_on(const ForceTerm &term,

@@ -35,10 +35,13 @@ namespace Biface
   {
   public:
     /** The mesh is that of @p contact, and is kept by reference.
-     * @param loads with Loads::rolling. */
-    VelocityMatrix(const ContactInteraction &contact,
-                   const State              &state,
-                   const Loads              &loads);
+     * @param loads with Loads::rolling.
+     * @param constraints those of the mesh or others, kept by reference;
+     * products are for those of the mesh. */
+    VelocityMatrix(const ContactInteraction                &contact,
+                   const State                             &state,
+                   const Loads                             &loads,
+                   const dealii::AffineConstraints<double> &constraints);
 
     const LA::SparseMatrix &
     get() const

@@ -106,6 +106,24 @@ namespace Biface
                 const TimeInterval &time,
                 State              &after) const override;
 
+    /** Add a multiple of the part of the tangent of a layer that its law alone
+     * gives, @f$\mathbf B^T\mathbf D\mathbf B@f$, with the elastic law of
+     * another laminate of the same plies.
+     * @param state not one of linear theory, see in_shape_of_tangent(). */
+    void
+    add_law(const State               &state,
+            const unsigned int         cell,
+            const Laminate            &laminate,
+            const double               factor,
+            MixedElement::NodalMatrix &K) const;
+
+    /** Add the derivative of the forces of DampingInTime::of_stiffness by the
+     * velocities of a layer, for a unit of it: the law at small strains. */
+    void
+    add_damping(const State               &state,
+                const unsigned int         cell,
+                MixedElement::NodalMatrix &C) const;
+
     /** The constant forces on all nodes that are no part of the given loads:
      * those that are in equilibrium with the initial resultants in the
      * undeformed shape, @f$\mathbf B_0^T\mathbf H_0@f$, and

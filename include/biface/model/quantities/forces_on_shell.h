@@ -64,6 +64,19 @@ namespace Biface
                   const NodalForces    &forces);
 
 
+  /** The forces and moments of each support on the shell, in the order of
+   * SupportedNodes::bodies, if given forces are missing on the nodes. Must be
+   * called on all ranks.
+   * @param displacement gives the positions of the faces; with the entries of
+   * all nodes of this rank.
+   * @param missing the missing forces on owned unknowns, regardless of supports;
+   * only those at supports matter. */
+  std::vector<ForceOnShell>
+  forces_of_supports(const ShellMesh  &mesh,
+                     const LA::Vector &displacement,
+                     const LA::Vector &missing);
+
+
   /** The resultant of the ground among those of forces_on_shell(). */
   const ForceOnShell &
   force_of_ground(const std::vector<ForceOnShell> &forces);

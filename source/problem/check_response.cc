@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
+#include <biface/problem/parameters.h>
+
+namespace Biface
+{
+  namespace
+  {
+    /** The names in 'Load factors' of any stage. */
+    std::vector<std::string>
+    names_of_factors(const std::vector<Stage> &stages)
+    {
+      std::vector<std::string> result;
+      for (const Stage &stage : stages)
+        for (const auto &[name, factor] : stage.own_factors)
+          if (std::find(result.begin(), result.end(), name) == result.end())
+            result.push_back(name);
+      return result;
+    }
+
+
+    std::string
+    listed(const std::vector<std::string> &names)
+    {
+      std::string text;
+      for (const std::string &name : names)
+        text += ", '" + name + "'";
+      return text;
+    }
+
+
+    void
+    check_excitation(const std::string        &excitation,
+                     const std::string        &entry,
+                     const Stage              &stage,
+                     const std::vector<Stage> &stages)
+    {
+      if (const auto motion = StageResponse::motion(excitation))
+        {
+          std::vector<std::string> bodies = stage.bodies;
+          if (stage.contact)
+            bodies.insert(bodies.begin(), "ground");
+          bodies.push_back("supports");
+          if (std::find(bodies.begin(), bodies.end(), motion->first) ==
+              bodies.end())
+            throw InputError(entry,
+                             excitation,
+                             "what moves must be there in the stage: " +
+                               listed(bodies).substr(2));
+          return;
+        }
+      if (excitation == "pressure" && stage.sealed)
+        throw InputError(entry,
+                         excitation,
+                         "with 'Gas = sealed' the pressure follows from the "
+                         "volume");
+      const std::vector<std::string> names = names_of_factors(stages);
+      if (excitation != "pressure" && excitation != "load factor" &&
+          std::find(names.begin(), names.end(), excitation) == names.end())
+        throw InputError(entry,
+                         excitation,
+                         "it must be a motion such as 'ground z' or a load: "
+                         "'pressure', 'load factor'" +
+                           listed(names));
+    }
+  } // namespace
+
+
+  void
+  Parameters::check_response() const
+  {
+    const std::vector<bool> rolls = rolling_stages();
+    for (unsigned int i = 0; i < stages.size(); ++i)
+      {
+        const Stage &stage = stages[i];
+        if (!stage.vibrates())
+          continue;
+        const std::string section = "Stage " + std::to_string(i + 1);
+        const auto refuse = [&](const bool wrong, const std::string &why) {
+          if (wrong)
+            throw InputError(section + "/Frequency response",
+                             number_to_string(stage.frequencies[0]),
+                             "it must be empty " + why);
+        };
+        refuse(stage.inertia || stage.damping > 0,
+               std::string("with '") + (stage.inertia ? "Inertia" : "Damping") +
+                 "', with which the stage does not end in equilibrium");
+        refuse(rolls[i] && !stage.bodies.empty(),
+               "where a wheel rolls and touches other bodies than the ground");
+        refuse(rolls[i] && stage.contact &&
+                 contact.friction.in_rolling == FrictionInRolling::bristles,
+               "where the wheel rolls with 'Rolling friction = bristles'");
+        if (rolls[i])
+          for (const PlyParameters &ply : laminate.plies)
+            for (const MaterialParameters &material : materials)
+              refuse(material.name == ply.material && material.relaxes(),
+                     "where the wheel rolls or spins with the material '" +
+                       material.name + "', whose stresses relax");
+        for (const std::string &excitation : stage.excitations)
+          check_excitation(excitation, section + "/Excitations", stage, stages);
+      }
+  }
+} // namespace Biface
