@@ -294,8 +294,13 @@ namespace Biface
     if (std::any_of(parameters.stages.begin(),
                     parameters.stages.end(),
                     [](const Stage &stage) { return stage.n_modes > 0; }))
-      analyses.push_back(std::make_shared<StageModes>(
-        equations, contact, *linear_solver, timer, with_left, out));
+      analyses.push_back(std::make_shared<StageModes>(equations,
+                                                      contact,
+                                                      *linear_solver,
+                                                      timer,
+                                                      model.air.get(),
+                                                      with_left,
+                                                      out));
     analyses.push_back(
       std::make_shared<StageBuckling>(buckling_analysis, with_left, out));
     // it reads the results of the others

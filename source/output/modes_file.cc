@@ -18,7 +18,8 @@ namespace Biface
         "step,modes,mode,stage,frequency,growth_rate,generalized_mass,"
         "participation_x,participation_y,participation_z,"
         "effective_mass_x,effective_mass_y,effective_mass_z,"
-        "total_mass,circumferential_waves,meridional_half_waves,travel",
+        "total_mass,circumferential_waves,meridional_half_waves,travel,"
+        "part_of_air",
         0,
         directory,
         equations,
@@ -46,7 +47,8 @@ namespace Biface
           lines += ',' + csv_number(mode.effective_mass(d));
         lines += ',' + csv_number(report.modes->total_mass) + ',' +
                  csv_waves(mode.waves) + ',' +
-                 (mode.waves ? csv_number(mode.waves->travel) : "nan") + '\n';
+                 (mode.waves ? csv_number(mode.waves->travel) : "nan") + ',' +
+                 csv_number(mode.part_of_air) + '\n';
       }
     append(lines);
   }

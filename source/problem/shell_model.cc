@@ -58,6 +58,29 @@ namespace Biface
     }
 
 
+    /** The air in the cavity, if it has inertia. */
+    std::unique_ptr<const AirColumn>
+    make_air(const Parameters &parameters,
+             const ShellMesh  &mesh,
+             const Cavity     *cavity)
+    {
+      const auto &sound_speed = parameters.gas.air.sound_speed;
+      if (!sound_speed)
+        return nullptr;
+      if (!(cavity->get_rim_radius() > 0))
+        throw InputError("Gas/Sound speed",
+                         number_to_string(*sound_speed),
+                         "it must be 'none' for a cavity that reaches to the "
+                         "axis, in which waves do not go around; with a rim, "
+                         "give the 'Rim radius'");
+      return std::make_unique<const AirColumn>(mesh,
+                                               parameters.gas.air,
+                                               *parameters.gas.ambient_pressure,
+                                               cavity->get_rim_radius(),
+                                               parameters.pressure.face);
+    }
+
+
     /** The terms of make_force_terms(), the gas in the cavity, if any, and the
      * damping, if there is a stage with it. */
     ForceTerms
@@ -136,6 +159,7 @@ namespace Biface
     : mesh(std::move(shell_mesh))
     , contact(*mesh, parameters.contact, parameters.bodies)
     , cavity(make_cavity(parameters, *mesh))
+    , air(make_air(parameters, *mesh, cavity.get()))
     , equations(*mesh, force_terms(parameters, *mesh, contact, cavity.get()))
     , heat(mesh->grid.closed && mesh->get_layup().has_loss()
              ? std::make_unique<const RollingHeat>(parameters.heat, *mesh)

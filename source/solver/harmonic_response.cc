@@ -599,8 +599,8 @@ namespace Biface
       }
 
     private:
-      const ShellMesh                                                 &mesh;
-      const std::vector<RankOne>                                      &low_rank;
+      const ShellMesh                                                &mesh;
+      const std::vector<RankOne>                                     &low_rank;
       const std::function<bool(std::vector<ComplexSolver::Vector> &)> solve;
     };
   } // namespace

@@ -19,6 +19,7 @@
 #include <biface/solver/linear/deflation.h>
 #include <biface/solver/low_rank_stiffness.h>
 #include <biface/solver/modal_analysis.h>
+#include <biface/solver/shell_with_air.h>
 
 namespace Biface
 {
@@ -49,11 +50,13 @@ namespace Biface
   ModalAnalysis::ModalAnalysis(ShellEquations           &equations,
                                const ContactInteraction &contact,
                                LinearSolver             &linear_solver,
-                               TimerOutput              &timer)
+                               TimerOutput              &timer,
+                               const AirColumn          *air)
     : equations(equations)
     , contact(contact)
     , linear_solver(linear_solver)
     , timer(timer)
+    , air(air)
     , tangent(equations, contact, timer)
     , mass(equations.mesh)
     , start(arbitrary_displacements(equations.mesh, 0))
@@ -112,7 +115,9 @@ namespace Biface
 
 
   VibrationMode
-  ModalAnalysis::finish(const Eigenpair &pair, const Loads &loads) const
+  ModalAnalysis::finish(const Eigenpair &pair,
+                        const Loads     &loads,
+                        const double     part_of_air) const
   {
     const ShellMesh &mesh       = equations.mesh;
     const bool       is_complex = pair.imaginary.size() > 0;
@@ -137,6 +142,8 @@ namespace Biface
             square[i] += content * content;
           }
       }
+    mode.part_of_air = part_of_air;
+    mode.mass /= 1 - part_of_air;
     for (unsigned int i = 0; i < 3; ++i)
       mode.participation[i] =
         (is_complex ? std::sqrt(square[i]) : mode.participation[i]) / mode.mass;
@@ -187,6 +194,12 @@ namespace Biface
     bool symmetric_matrix = true, symmetric = true;
     /** See QuadraticEigenvalueProblem. */
     bool conservative = true;
+    /** The air that vibrates with the shell, if any; its unknowns are then
+     * part of all vectors. */
+    AirMotion                   motion_of_air;
+    std::optional<ShellWithAir> air;
+    /** The product with the mass matrix. */
+    Multiply multiply_mass;
 
     double           shift = 0;
     LA::SparseMatrix shifted;
@@ -195,6 +208,38 @@ namespace Biface
     rate_of_shift() const
     {
       return std::sqrt(-shift);
+    }
+
+    /** Let the air be part of the vectors. */
+    void
+    add_air(const ShellMesh &mesh, const MassMatrix &mass)
+    {
+      air.emplace(mesh, mass, motion_of_air);
+      multiply_mass = [this](LA::Vector &product, const LA::Vector &x) {
+        air->multiply_mass(product, x);
+      };
+      if (const auto circulation = air->circulation(); !circulation.empty())
+        deflation.emplace(circulation, multiply_mass);
+      // the matrix of the air at rest is singular: a shift of the order of the
+      // first wave
+      const double n       = motion_of_air.compliances.size();
+      double       product = 0;
+      for (const AirMotion::Section &section : motion_of_air.sections)
+        product += section.inertia * motion_of_air.compliances[section.to] / n;
+      shift = -std::pow(2 * numbers::PI / n, 2) / product;
+    }
+
+    /** Leave the part of the shell in vectors with the air.
+     * @param parts see VibrationMode::part_of_air. */
+    void
+    take_air_out(std::vector<Eigenpair> &pairs,
+                 std::vector<double>    &parts) const
+    {
+      for (unsigned int i = 0; i < pairs.size(); ++i)
+        {
+          parts[i]        = air->part_of_air(pairs[i].vector);
+          pairs[i].vector = air->of_shell(pairs[i].vector);
+        }
     }
 
     /** @f$\omega^2@f$ of an eigenvalue, which is @f$\omega@f$ if there are
@@ -216,6 +261,14 @@ namespace Biface
     problem.symmetric_matrix = tangent.is_symmetric(loads, problem.K);
     problem.low_rank         = LowRankStiffness(
       equations, state, FixedContactTangent::without_bodies(loads));
+    problem.multiply_mass = multiply_by(mass);
+    if (air)
+      {
+        // the waves contain the stiffness of the gas
+        problem.low_rank      = LowRankStiffness();
+        problem.motion_of_air = air->about(
+          state, equations.with_dependent_loads(state, loads).pressure);
+      }
     problem.symmetric =
       problem.symmetric_matrix && problem.low_rank.is_symmetric();
     problem.velocity     = make_velocity_matrix(contact, state, loads);
@@ -226,7 +279,7 @@ namespace Biface
         std::vector<LA::Vector> motions;
         for (const RigidMotion &motion : problem.neutral)
           motions.push_back(motion.displacement);
-        problem.deflation.emplace(motions, multiply_by(mass));
+        problem.deflation.emplace(motions, problem.multiply_mass);
       }
     return problem;
   }
@@ -274,11 +327,25 @@ namespace Biface
       low_rank.correct(x);
       return true;
     };
+    std::optional<ShellWithAir> air;
+    if (problem.air)
+      {
+        air.emplace(*problem.air);
+        if (!air->prepare(solve_all, problem.shift))
+          {
+            Eigenpairs result;
+            result.message = "the tangent with the air is singular";
+            return result;
+          }
+      }
+    const auto solve_with_air = [&](LA::Vector &x, const LA::Vector &b) {
+      return air ? air->solve(x, b, solve_all) : solve_all(x, b);
+    };
     std::optional<Deflation> deflation;
     if (problem.deflation)
       {
         deflation.emplace(*problem.deflation);
-        if (!deflation->prepare(solve_all))
+        if (!deflation->prepare(solve_with_air))
           {
             Eigenpairs result;
             result.message = "the tangent is singular";
@@ -286,7 +353,8 @@ namespace Biface
           }
       }
     const auto solve = [&](LA::Vector &x, const LA::Vector &b) {
-      return deflation ? deflation->solve(x, b, solve_all) : solve_all(x, b);
+      return deflation ? deflation->solve(x, b, solve_with_air)
+                       : solve_with_air(x, b);
     };
 
     if (problem.velocity)
@@ -307,10 +375,11 @@ namespace Biface
       }
     EigenvalueProblem linear_problem;
     linear_problem.solve     = solve;
-    linear_problem.multiply  = multiply_by(mass);
+    linear_problem.multiply  = problem.multiply_mass;
     linear_problem.shift     = problem.shift;
     linear_problem.symmetric = problem.symmetric;
-    return nearest_eigenpairs(linear_problem, n, start);
+    return nearest_eigenpairs(
+      linear_problem, n, air ? air->with_arbitrary_air(start) : start);
   }
 
 
@@ -395,7 +464,19 @@ namespace Biface
     const unsigned int n_computed = std::max(
       n, std::min<unsigned int>(n + 4, equations.mesh.n_unknowns() / 4));
 
-    Problem            problem   = assemble(state, loads);
+    Problem problem = assemble(state, loads);
+    if (air)
+      {
+        if (!problem.neutral.empty())
+          {
+            VibrationModes result;
+            result.message = "with 'Gas/Sound speed' the shell must be held, "
+                             "and nothing resists " +
+                             problem.neutral[0].name;
+            return result;
+          }
+        problem.add_air(equations.mesh, mass);
+      }
     const unsigned int n_neutral = problem.neutral.size();
     const Eigenpairs   eigenpairs =
       lowest(problem, std::max(n_computed, n_neutral + 1) - n_neutral);
@@ -403,12 +484,14 @@ namespace Biface
     result.success    = eigenpairs.success;
     result.message    = eigenpairs.message;
     result.total_mass = mass.total();
+    result.with_air   = (air != nullptr);
     result.symmetric  = problem.symmetric && !problem.velocity;
     if (!result.success)
       return result;
 
     std::vector<Eigenpair> pairs = eigenpairs.pairs;
-    if (problem.deflation)
+    // the circulation of the air moves nothing of the shell
+    if (problem.deflation && !problem.air)
       for (const LA::Vector &motion : problem.deflation->get_vectors())
         pairs.push_back({0, motion, {}});
     for (const RigidMotion &motion : problem.neutral)
@@ -417,13 +500,21 @@ namespace Biface
       {
         if (!problem.velocity)
           make_real(pair);
-        if (is_zero(problem.K, problem.square(pair), pair.vector))
+        if (!problem.air &&
+            is_zero(problem.K, problem.square(pair), pair.vector))
           pair.value = 0;
       }
+    std::vector<LA::Vector> all_fields = fields;
+    if (problem.air)
+      for (LA::Vector &field : all_fields)
+        field = problem.air->with_air_at_rest(field);
     if (problem.velocity)
-      normalize_phases(pairs, multiply_by(mass), fields);
+      normalize_phases(pairs, problem.multiply_mass, all_fields);
     else
-      settle(pairs, multiply_by(mass), fields);
+      settle(pairs, problem.multiply_mass, all_fields);
+    std::vector<double> parts_of_air(pairs.size(), 0.);
+    if (problem.air)
+      problem.take_air_out(pairs, parts_of_air);
     std::vector<Eigenpair> left(pairs.size());
     if (with_left)
       left = (result.symmetric ? pairs : find_left(problem, pairs));
@@ -434,7 +525,7 @@ namespace Biface
           left[i] = Eigenpair();
         if (!problem.velocity)
           pairs[i].value = omega_of(pairs[i].value);
-        result.modes.push_back(finish(pairs[i], loads));
+        result.modes.push_back(finish(pairs[i], loads, parts_of_air[i]));
         result.modes[i].left = left[i];
       }
     return result;

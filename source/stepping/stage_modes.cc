@@ -29,6 +29,14 @@ namespace Biface
     for (const VibrationMode &mode : modes->modes)
       out << ' ' << mode.frequency();
     out << std::endl;
+    if (modes->with_air)
+      {
+        out << "  of the air:";
+        for (const VibrationMode &mode : modes->modes)
+          if (mode.part_of_air > 0.5)
+            out << ' ' << mode.frequency();
+        out << std::endl;
+      }
     report.modes = modes;
   }
 } // namespace Biface

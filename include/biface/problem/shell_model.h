@@ -7,6 +7,7 @@
 
 #include <memory>
 
+#include <biface/model/air/air_column.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/forces/cavity.h>
@@ -45,7 +46,9 @@ namespace Biface
     const ContactInteraction               contact;
     /** The space that the gas fills; null if it cannot be sealed in. */
     const std::unique_ptr<const Cavity> cavity;
-    ShellEquations                      equations;
+    /** The air in the cavity, if it has inertia in vibrations; else null. */
+    const std::unique_ptr<const AirColumn> air;
+    ShellEquations                         equations;
     /** The heat of the plies of a rolling wheel; null if it cannot roll, or if
      * none loses energy. */
     const std::unique_ptr<const RollingHeat> heat;

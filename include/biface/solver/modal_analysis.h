@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
+#include <biface/model/air/air_column.h>
 #include <biface/model/equations/mass_matrix.h>
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/mesh/wave_numbers.h>
@@ -46,9 +47,13 @@ namespace Biface
      * it was not wanted or does not exist. */
     Eigenpair left;
 
-    /** The modal mass @f$\boldsymbol\varphi^H\mathbf M\boldsymbol\varphi@f$.
-     * Unit: mass. */
+    /** The modal mass @f$\boldsymbol\varphi^H\mathbf M\boldsymbol\varphi@f$,
+     * with that of the air. Unit: mass. */
     double mass = 0;
+
+    /** The part of the kinetic energy that is that of the air, see
+     * AirColumn. */
+    double part_of_air = 0;
 
     /** The participation factors of the translations along x, y and z,
      * @f$\boldsymbol\varphi^T\mathbf M\mathbf r/
@@ -106,6 +111,8 @@ namespace Biface
     std::vector<std::string> neutral_motions;
     /** The mass of the whole shell. */
     double total_mass = 0;
+    /** Whether the air in the shell has inertia. */
+    bool with_air = false;
     /** Whether the shell stands and its tangent is symmetric, so that left
      * eigenvectors are the shapes. */
     bool symmetric = false;
@@ -128,6 +135,9 @@ namespace Biface
    * VelocityMatrix. Its nodes in contact are not held sideways: friction
    * follows from the slip velocity.
    *
+   * The air in an AirColumn vibrates with the shell, see ShellWithAir; then the
+   * shell stands and is held.
+   *
    * Rigid motions that nothing resists have the frequency zero, though
    * interpolation in a curved shell gives them a small stiffness; the other
    * modes are orthogonal to them, see Deflation.
@@ -145,11 +155,13 @@ namespace Biface
   {
   public:
     /** The objects are kept by reference.
-     * @param timer receives the section "Modes". */
+     * @param timer receives the section "Modes".
+     * @param air the air in the shell; null if it has no inertia. */
     ModalAnalysis(ShellEquations           &equations,
                   const ContactInteraction &contact,
                   LinearSolver             &linear_solver,
-                  dealii::TimerOutput      &timer);
+                  dealii::TimerOutput      &timer,
+                  const AirColumn          *air = nullptr);
 
     /**
      * Compute the modes of a converged state. The last assembly of the
@@ -200,9 +212,12 @@ namespace Biface
             const LA::Vector           &vector) const;
 
     /** The mode of an eigenpair, in which the value is @f$\omega@f$.
-     * @param pair with @f$\omega@f$ for the eigenvalue. */
+     * @param pair with @f$\omega@f$ for the eigenvalue.
+     * @param part_of_air see VibrationMode. */
     VibrationMode
-    finish(const Eigenpair &pair, const Loads &loads) const;
+    finish(const Eigenpair &pair,
+           const Loads     &loads,
+           const double     part_of_air) const;
 
     /** The left eigenvectors of the pairs @p right, with the factors at
      * hand. */
@@ -214,6 +229,7 @@ namespace Biface
     const ContactInteraction &contact;
     LinearSolver             &linear_solver;
     dealii::TimerOutput      &timer;
+    const AirColumn *const    air;
     FixedContactTangent       tangent;
     const MassMatrix          mass;
 

@@ -17,14 +17,16 @@ namespace Biface
   {
   public:
     /** The objects are kept by reference.
+     * @param air see ModalAnalysis.
      * @param with_left whether the left eigenvectors of a stage are read. */
     StageModes(ShellEquations                          &equations,
                const ContactInteraction                &contact,
                LinearSolver                            &linear_solver,
                dealii::TimerOutput                     &timer,
+               const AirColumn                         *air,
                const std::function<bool(unsigned int)> &with_left,
                dealii::ConditionalOStream              &out)
-      : modal_analysis(equations, contact, linear_solver, timer)
+      : modal_analysis(equations, contact, linear_solver, timer, air)
       , with_left(with_left)
       , out(out)
     {}

@@ -39,6 +39,7 @@ namespace Biface
                       Patterns::Double(),
                       Unit::none());
     cavity.add_parameters(prm);
+    air.add_parameters(prm);
   }
 
 
@@ -46,6 +47,11 @@ namespace Biface
   Gas::Parameters::check(const bool is_known) const
   {
     check_positive("Gas/Polytropic exponent", exponent);
+    air.check();
+    if (air.sound_speed && !ambient_pressure)
+      throw InputError("Gas/Ambient pressure",
+                       "none",
+                       "it must be a number with a 'Sound speed'");
     if (!ambient_pressure)
       return;
     check_not_negative("Gas/Ambient pressure", *ambient_pressure);

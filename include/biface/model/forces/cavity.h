@@ -76,6 +76,14 @@ namespace Biface
            const Parameters      &parameters,
            const Resultants::Face face);
 
+    /** The radius of the cylinder that closes the cavity toward the axis; 0 if
+     * there is none. Unit: length. */
+    double
+    get_rim_radius() const
+    {
+      return rim_radius;
+    }
+
     /** The volume of the cavity, on all ranks. Unit: length^3. */
     double
     volume(const State &state) const;

@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include <biface/model/air/air_column.h>
 #include <biface/model/forces/cavity.h>
 #include <biface/model/forces/force_term.h>
 
@@ -37,6 +38,8 @@ namespace Biface
       /** The exponent @f$n@f$ of the volume: 1 at constant temperature. */
       double             exponent = 1;
       Cavity::Parameters cavity;
+      /** The motion of the gas in vibrations. */
+      AirColumn::Parameters air;
 
       void
       add_parameters(EntryDeclarations &prm);
