@@ -290,7 +290,7 @@ namespace Biface
                     parameters.stages.end(),
                     [](const Stage &stage) { return stage.vibrates(); }))
       analyses.push_back(std::make_shared<FrequencyResponses>(
-        equations, contact, timer, stop, out));
+        equations, contact, model.air.get(), timer, stop, out));
     if (std::any_of(parameters.stages.begin(),
                     parameters.stages.end(),
                     [](const Stage &stage) { return stage.n_modes > 0; }))

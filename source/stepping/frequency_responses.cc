@@ -67,9 +67,8 @@ namespace Biface
       return;
     HarmonicResponse::Request request;
     request.frequencies = stage.frequencies;
-    request.loss_factor = stage.loss_factor;
-    request.damping     = stage.damping_in_time;
-    request.temperature = report.level.temperature;
+    request.losses      = {
+           stage.loss_factor, stage.damping_in_time, report.level.temperature};
     for (const std::string &name : stage.excitations)
       request.excitations.push_back(excitation_of(name, stage, *report.loads));
     auto result = std::make_shared<const FrequencyResponse>(

@@ -12,15 +12,11 @@
 #include <string>
 #include <vector>
 
-#include <biface/model/equations/shell_equations.h>
-#include <biface/model/state/loads.h>
-#include <biface/model/state/step_in_time.h>
+#include <biface/model/state/load_rates.h>
+#include <biface/solver/harmonic_system.h>
 
 namespace Biface
 {
-  class ContactInteraction;
-
-
   /** What shakes the shell, with the amplitude 1: loads, or the motion of a
    * body or of all supports together. */
   struct Excitation
@@ -33,6 +29,13 @@ namespace Biface
     std::optional<unsigned int> body;
     /** The direction of the motion, 0, 1, 2 for x, y, z. */
     unsigned int direction = 0;
+
+    /** Whether all supports move. */
+    bool
+    moves_supports() const
+    {
+      return !loads && !body;
+    }
   };
 
 
@@ -40,7 +43,8 @@ namespace Biface
    * @f$e^{i\omega t}@f$. */
   struct FrequencyResponse
   {
-    /** A displacement of a point, or a force of a body on the shell. */
+    /** A displacement of a point, or a force: of a body or a support on the
+     * shell, or of the rim on the air. */
     struct Output
     {
       std::string name;
@@ -67,47 +71,33 @@ namespace Biface
 
 
   /**
-   * The steady response of the loaded shell to harmonic excitations,
-   * @f[
-   *   \Bigl[(1+i\eta)\,\mathbf K+\sum_j\bigl(c_j(\omega)-1\bigr)\mathbf K_j
-   *   +i\omega\,(\alpha\mathbf M+\beta\mathbf K_0+\mathbf G)
-   *   -\omega^2\mathbf M\Bigr]\,\mathbf u=\mathbf f .
-   * @f]
-   * @f$\mathbf K@f$ is the tangent of the equilibrium with the contact of
-   * FixedContactTangent, where stresses relax that of the elastic law;
-   * @f$\mathbf K_j@f$ the part of it that the plies of the material j give,
-   * @f$c_j@f$ LossOfMaterial::factor(); @f$\mathbf K_0@f$ the law at small
-   * strains; @f$\mathbf G@f$ the VelocityMatrix of a wheel that rolls.
+   * The steady response of the loaded shell to harmonic excitations, by the
+   * HarmonicSystem at each frequency.
    *
    * A body that moves by @f$\mathbf r@f$ acts on what the shell moves relative
    * to it. If all supports move by @f$\mathbf r@f$, @f$\mathbf u-\mathbf r@f$
    * is sought, and the forces are those of inertia and contact of the motion
    * @f$\mathbf r@f$ of the whole shell. Of what supports prescribe, the load
    * factors give the amplitude.
-   *
-   * A system is solved for each frequency by ComplexSolver, the gas sealed in
-   * the shell by the Woodbury formula.
    */
   class HarmonicResponse
   {
   public:
     /** The objects are kept by reference.
+     * @param air the air in the shell; null if it has no inertia.
      * @param timer receives the section "Response". */
     HarmonicResponse(ShellEquations           &equations,
                      const ContactInteraction &contact,
+                     const AirColumn          *air,
                      dealii::TimerOutput      &timer)
-      : equations(equations), contact(contact), timer(timer)
+      : equations(equations), contact(contact), air(air), timer(timer)
     {}
 
     struct Request
     {
       std::vector<double>     frequencies;
       std::vector<Excitation> excitations;
-      /** The loss factor @f$\eta@f$. */
-      double        loss_factor = 0;
-      DampingInTime damping;
-      /** The temperature of plies that relax, see TimeStep. */
-      double temperature = 0;
+      HarmonicLosses          losses;
     };
 
     /** Compute the response about a converged state. Must be called on all
@@ -123,6 +113,7 @@ namespace Biface
   private:
     ShellEquations           &equations;
     const ContactInteraction &contact;
+    const AirColumn *const    air;
     dealii::TimerOutput      &timer;
   };
 } // namespace Biface

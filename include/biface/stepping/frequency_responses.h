@@ -17,13 +17,15 @@ namespace Biface
   {
   public:
     /** The objects are kept by reference.
+     * @param air see HarmonicResponse.
      * @param stop see HarmonicResponse::compute(). */
     FrequencyResponses(ShellEquations             &equations,
                        const ContactInteraction   &contact,
+                       const AirColumn            *air,
                        dealii::TimerOutput        &timer,
                        const Newton::Stop         &stop,
                        dealii::ConditionalOStream &out)
-      : response(equations, contact, timer), stop(stop), out(out)
+      : response(equations, contact, air, timer), stop(stop), out(out)
     {}
 
     void

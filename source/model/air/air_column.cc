@@ -50,15 +50,16 @@ namespace Biface
 
   namespace
   {
-    /** The integrals @f$\int dA/r@f$ and @f$\int r\,dA@f$ between a segment of
-     * the face and the cylinder of the rim. */
-    std::array<double, 2>
+    /** The integrals @f$\int dA/r@f$, @f$\int r\,dA@f$ and @f$\int dA@f$
+     * between a segment of the face and the cylinder of the rim. */
+    std::array<double, 3>
     section_integrals(const std::array<Point<3>, 2> &ends,
                       const Tensor<1, 3>            &axis,
                       const double                   rim_radius)
     {
       const QGauss<1>       rule(3);
-      std::array<double, 2> r, z, result{};
+      std::array<double, 2> r, z;
+      std::array<double, 3> result{};
       for (unsigned int i = 0; i < 2; ++i)
         {
           z[i] = ends[i] * axis;
@@ -70,6 +71,7 @@ namespace Biface
           const double dz = rule.weight(q) * (z[1] - z[0]);
           result[0] += std::log(at / rim_radius) * dz;
           result[1] += (at * at - rim_radius * rim_radius) / 2 * dz;
+          result[2] += (at - rim_radius) * dz;
         }
       return result;
     }
@@ -85,8 +87,13 @@ namespace Biface
 
     // by the line, the integrals over the section, of which the cells on both
     // sides know the same
-    std::vector<double> of_lines(2 * n_lines);
-    LA::Vector          gradient = mesh.owned_vector();
+    constexpr unsigned int n_integrals = 3, n_of_line = n_integrals + 3;
+    std::vector<double>    of_lines(n_of_line * n_lines);
+    const auto             of_line = [&](const unsigned int line,
+                             const unsigned int k) -> double             &{
+      return of_lines[n_of_line * line + k];
+    };
+    LA::Vector gradient = mesh.owned_vector();
     for (const Cell &cell : mesh.wall_elements())
       {
         const unsigned int piece = grid.cell_index(cell.column)[1];
@@ -100,18 +107,19 @@ namespace Biface
             const unsigned int line = piece + side;
             const bool         is_end =
               !grid.closed && (line == 0 || line + 1 == n_lines);
-            for (unsigned int k = 0; k < 2; ++k)
-              of_lines[2 * line + k] += integrals[k] / (is_end ? 1 : 2);
+            for (unsigned int k = 0; k < n_integrals; ++k)
+              of_line(line, k) += integrals[k] / (is_end ? 1 : 2);
+            for (unsigned int d = 0; d < 3; ++d)
+              of_line(line, n_integrals + d) +=
+                mesh.nodes[cell.nodes[2 * side]].surface.frame[1][d];
           }
       }
     Utilities::MPI::sum(of_lines, mesh.communicator, of_lines);
     // the last line of a closed coordinate is the first one
     if (grid.closed)
-      for (unsigned int k = 0; k < 2; ++k)
-        {
-          const double sum = of_lines[k] + of_lines[2 * (n_lines - 1) + k];
-          of_lines[k] = of_lines[2 * (n_lines - 1) + k] = sum;
-        }
+      for (unsigned int k = 0; k < n_of_line; ++k)
+        of_line(0, k) = of_line(n_lines - 1, k) =
+          of_line(0, k) + of_line(n_lines - 1, k);
 
     const double bulk_modulus =
       parameters.exponent * (pressure + ambient_pressure);
@@ -124,16 +132,21 @@ namespace Biface
     AirMotion result;
     result.is_closed = grid.closed;
     for (unsigned int c = 0; c < n; ++c)
-      result.compliances.push_back(
-        angle(c) * std::abs(of_lines[2 * c + 1] + of_lines[2 * (c + 1) + 1]) /
-        (2 * bulk_modulus));
+      result.compliances.push_back(angle(c) *
+                                   std::abs(of_line(c, 1) + of_line(c + 1, 1)) /
+                                   (2 * bulk_modulus));
     for (unsigned int line = (grid.closed ? 0 : 1); line < n; ++line)
       {
         const unsigned int before = (line + n - 1) % n;
+        Tensor<1, 3>       direction;
+        for (unsigned int d = 0; d < 3; ++d)
+          direction[d] = of_line(line, n_integrals + d);
         result.sections.push_back({before,
                                    line,
                                    density * (angle(before) + angle(line)) / 2 /
-                                     std::abs(of_lines[2 * line])});
+                                     std::abs(of_line(line, 0)),
+                                   std::abs(of_line(line, 2)),
+                                   direction / direction.norm()});
       }
 
     // what a unit pressure does in a piece is the derivative of its volume

@@ -3,6 +3,8 @@
 #ifndef biface_model_air_air_column_h
 #define biface_model_air_air_column_h
 
+#include <deal.II/base/tensor.h>
+
 #include <optional>
 #include <utility>
 #include <vector>
@@ -34,6 +36,10 @@ namespace Biface
       /** The inertia against the volume that has moved, @f$\varrho\ell/A@f$.
        * Unit: mass/length^4. */
       double inertia;
+      /** Unit: length^2. */
+      double area;
+      /** The unit vector toward the second piece. */
+      dealii::Tensor<1, 3> direction;
     };
     std::vector<Section> sections;
 
