@@ -449,11 +449,13 @@ namespace Biface
     const bool is_last =
       Utilities::MPI::this_mpi_process(mesh.communicator) + 1 ==
       Utilities::MPI::n_mpi_processes(mesh.communicator);
-    solver = std::make_unique<ComplexSolver>(
-      mesh.communicator,
-      mesh.locally_owned.n_elements() + (is_last ? zero().air.size() : 0),
-      entries->get_places(),
-      symmetric);
+    const unsigned int n_of_air =
+      (is_last ? air.compliances.size() + air.sections.size() : 0);
+    solver = std::make_unique<ComplexSolver>(mesh.communicator,
+                                             mesh.locally_owned.n_elements() +
+                                               n_of_air,
+                                             entries->get_places(),
+                                             symmetric);
   }
 
 

@@ -403,6 +403,12 @@ namespace Biface
           {
             if (!linear.success)
               eigenpairs.message = linear.message;
+            // the first wave of the air was far above the modes
+            if (problem.air && linear.success && pass + 1 < n_passes)
+              {
+                problem.shift *= 1e-4;
+                continue;
+              }
             if (linear.success || pass > 0 ||
                 linear.cause != FailureCause::singular_tangent)
               break;
