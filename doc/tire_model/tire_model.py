@@ -278,7 +278,9 @@ a force or moment is missing, and a state without its slip, load, pressure or ve
 
 Angles among the entries, such as `ALPMIN`, and all other values become SI units by the
 section `[UNITS]`; the coefficients of the formula belong to radians whatever it says. Values
-that no formula uses may be empty or words. The exit code is
+that no formula uses may be empty or words. A section may come in parts, and an entry twice if its values are the same.
+Comments begin with $ or !; a line of comments also with #, %, ; or //, and #, ; or // behind a blank end a value. Sizes that
+contradict `[UNITS]` and a cornering stiffness that contradicts the ISO axes are named, by `evaluate` as well. The exit code is
 1 if anything is unusual, here since PKX2 is negative: files often have such ends of ranges.
 
 ## In Python

@@ -12,14 +12,14 @@ from biface.errors import BifaceError
 from biface_report.command_line import Arguments, complain, missing_module
 from . import text
 from .axes import SIGNS, mirror
-from .check import report
+from .check import report, wrong_signs, wrong_units
 from .fitting import fit
-from .fitted_file import SIDES, make_tir
+from .fitted_file import make_tir
 from .structural import Structural
 from .structure import read_structure
 from .structure_tables import common_system, structure_tables, text_of
 from .table import LARGEST_ANGLE, LARGEST_SLIP, read_table, write_table
-from .tir_file import read_tir
+from .tir_file import SIDES, read_tir
 from .tydex import read_tydex, write_tydex
 from .units import System
 from .vertical import vertical
@@ -250,6 +250,8 @@ def evaluate(arguments):
     grid = np.meshgrid(*columns.values(), indexing="ij")
     columns = {name: values.ravel() for name, values in zip(columns, grid)}
     warn_outside(file, columns)
+    for sentence in wrong_units(file) + wrong_signs(formula, formula.p.FNOMIN):
+        print(f"{COMMAND}: warning: {arguments.file}: {sentence}", file=sys.stderr)
     seen = mirror(columns) if arguments.mirror else columns
     forces = formula.evaluate(seen["F_z"], seen["slip_ratio"], seen["slip_angle"],
                               seen["inclination_angle"], seen.get("pressure"),
