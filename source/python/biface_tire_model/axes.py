@@ -39,7 +39,7 @@ def named(text):
 
 
 _NAMES = re.compile(r"\b(adapted[ -])?(iso|sae)\b", re.IGNORECASE)
-_ABOUT = re.compile(r"ax[ie]s|coordinate|convention|system|sign|J ?670|8855",
+_ABOUT = re.compile(r"\b(ax[ie]s|coordinates?|conventions?|system|signs?)\b|J ?670|8855",
                     re.IGNORECASE)
 
 

@@ -213,9 +213,9 @@ def units_of(arguments):
     ones."""
     path = results_table(arguments)
     named = path and Results(path.parent).setting("Units")
-    if named:
-        return System(named, arguments.angles or "deg")
-    own = None if is_tydex(arguments.table) else header_of(path or arguments.table)
+    if path:
+        return System(named or arguments.units, arguments.angles or "deg")
+    own = None if is_tydex(arguments.table) else header_of(arguments.table)
     if own and arguments.units is None and arguments.angles is None:
         return own[0]
     return System(arguments.units, arguments.angles)
