@@ -54,17 +54,22 @@ By default all is in the W axes of [ISO 8855](references.bib#ISO8855), with x fo
 up, as in [rolling.md](rolling.md#axes); forces and moments are those of the road on the tire. `--axes`
 chooses others, for input and output:
 
-| | `iso` | `sae` | `adapted-iso` |
-| --- | --- | --- | --- |
-| y, z | left, up | right, down | left, up |
-| slip angle is positive if the wheel moves | to the left | to the right | to the right |
-| inclination angle is positive if the top leans | to the right | to the right | to the left |
-| $`F_z`$ of a load | positive | negative | positive |
-| slope of $`F_y`$ over the slip angle | negative | negative | positive |
+| | `iso` | `sae` | `adapted-iso` | `adapted-sae` |
+| --- | --- | --- | --- | --- |
+| y, z | left, up | right, down | left, up | right, down |
+| slip angle is positive if the wheel moves | to the left | to the right | to the right | to the left |
+| inclination angle is positive if the top leans | to the right | to the right | to the left | to the right |
+| $`F_z`$ of a load | positive | negative | positive | positive; negative is read, too |
+| slope of $`F_y`$ over the slip angle | negative | negative | positive | positive |
 
 `sae` are the axes of [SAE J670e](references.bib#SAEJ670e), the ISO axes turned about x by 180 degrees;
 `adapted-iso` are those of [Besselink 2000](references.bib#Besselink2000), where all slip stiffnesses are
-positive. .tir files and TYDEX files always have ISO signs.
+positive, and `adapted-sae` those of appendix 1 of [Pacejka 2012](references.bib#Pacejka2012). .tir files always have ISO
+signs; TYDEX files are written with them, and read with those of `--axes`.
+
+Data whose $`F_y`$ has the other slope than their axes, or $`F_x`$ over the longitudinal slip, are refused; so are
+tables with a title or a comment that names axes, such as "SAE J670 coordinates", until `--axes` says which. `fit` warns
+of the signs that few tires have: of $`F_y`$ of a tire that leans, of $`M_z`$ at small slip angles, of $`M_y`$.
 
 The longitudinal slip is $`\\kappa = -V_{{sx}}/|V_x|`$, with the slip velocity $`V_{{sx}}`$ of
 the wheel at its effective rolling radius: 0 for free rolling, −1 for a locked wheel, a ratio
@@ -125,11 +130,14 @@ one of the slips and one force or moment are needed. Others are left out.
 
 A name may have its unit behind it, as in `F_z [kN]`, or in a line of units below; otherwise
 `--units` and `--angles` say it. `SA`, `SL`, `IA`, `P`, `V`, `RL`, `FX`, ..., `MZ` are the same columns
-(`SL` is `slip_ratio`, `RL` is `loaded_radius`); `P` and `V` need their units. Columns are separated by
-commas, semicolons, tabs or blanks, and numbers may have decimal commas where these do not separate.
+(`SL` is `slip_ratio`, `RL` is `loaded_radius`), and so are `alpha`, `kappa`, `gamma` and the words
+of the list, such as "vertical force"; pressures and velocities with such names need their units. `camber` and `SR` are refused, since their sign or their radius is open. Columns are separated by
+commas, semicolons, tabs or blanks, and numbers may have decimal commas where these do not separate; where all of these
+may as well separate thousands, as in 4,000, they are refused.
 Slips that are not there are 0; forces and moments may be empty. Lines that start with # or %
-are comments, and up to two lines of title may come first. Rows whose column `status` is not `ok` are left out, and a column `axes` replaces
-`--axes`. The output of `evaluate` is such a table; a directory of TYDEX files may replace it, or
+are comments, and lines of title may come first. Rows whose column `status` is not `ok` are left out, and a column `axes` replaces
+`--axes`. Radii, pressures, loads and angles of a size that only another unit explains are refused, and `fit` names columns that
+it does not use. The output of `evaluate` is such a table, whose first line tells its units and axes; a directory of TYDEX files may replace it, or
 one of the results of a [tire test](tire_test.md), whose units are then those of the results. Here three loads, three inclination angles and combined slip:
 
 {make}
@@ -278,7 +286,9 @@ a force or moment is missing, and a state without its slip, load, pressure or ve
 
 Angles among the entries, such as `ALPMIN`, and all other values become SI units by the
 section `[UNITS]`; the coefficients of the formula belong to radians whatever it says. Values
-that no formula uses may be empty or words. The exit code is
+that no formula uses may be empty or words. A section may come in parts, and an entry twice if its values are the same.
+Comments begin with $ or !; a line of comments also with #, %, ; or //, and #, ; or // behind a blank end a value. Sizes that
+contradict `[UNITS]` and a cornering stiffness that contradicts the ISO axes are named, by `evaluate` as well. The exit code is
 1 if anything is unusual, here since PKX2 is negative: files often have such ends of ranges.
 
 ## In Python

@@ -305,7 +305,8 @@ namespace Biface
                       height_file,
                       "each line must contain three numbers, 'u, v, height'",
                       3,
-                      3))
+                      3,
+                      {"u", "v", "height"}))
         heights.emplace_back(row[0], row[1], row[2]);
     if (profile_file.empty())
       return;

@@ -10,8 +10,10 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -90,6 +92,148 @@ namespace Biface
     }
 
 
+    std::string
+    lower_case(std::string text)
+    {
+      for (char &c : text)
+        c = std::tolower(static_cast<unsigned char>(c));
+      return text;
+    }
+
+
+    /** A name of a column without the unit in brackets behind it, and this
+     * unit; lower case. */
+    std::pair<std::string, std::string>
+    name_and_unit(const std::string &cell)
+    {
+      const auto open  = cell.find_first_of("[(");
+      const auto close = cell.find_first_of("])", open);
+      return {lower_case(Utilities::trim(cell.substr(0, open))),
+              open == std::string::npos || close == std::string::npos
+                ? ""
+                : lower_case(
+                    Utilities::trim(cell.substr(open + 1, close - open - 1)))};
+    }
+
+
+    /** The unit in a cell of a line of units, which may be in brackets; lower
+     * case. */
+    std::string
+    bare_unit(const std::string &cell)
+    {
+      const std::string unit = name_and_unit(cell).second;
+      return unit.empty() ? lower_case(cell) : unit;
+    }
+
+
+    const std::set<std::string> units_of_length = {
+      "m", "mm", "cm", "dm", "km", "um", "in", "inch", "ft"};
+
+
+    /** Throws InputError if the unit of a column is one of length, but another
+     * one than that of the form. */
+    void
+    check_unit(const NumberedLine &line,
+               const std::string  &unit,
+               const CsvRowForm   &form)
+    {
+      const std::string expected = lower_case(form.unit_of_length);
+      if (units_of_length.count(expected) == 0 ||
+          units_of_length.count(unit) == 0 || unit == expected)
+        return;
+      throw InputError(line.place,
+                       line.text,
+                       "lengths must have the unit " + form.unit_of_length +
+                         ", which 'Units' names");
+    }
+
+
+    // other names of columns; the first ones that occur are taken
+    const std::map<std::string, std::vector<std::string>> other_names = {
+      {"radius", {"r", "radial", "radial coordinate", "x"}},
+      {"axial coordinate", {"axial", "axis"}}};
+
+    // names of which either may be the axis
+    const std::set<std::string> axial_or_radial = {"y", "z"};
+
+
+    /** The position in the form of each column of a file with these names.
+     * Names that are not known are those of the columns that are left, in their
+     * order. */
+    std::vector<unsigned int>
+    order_of_columns(const NumberedLine             &line,
+                     const std::vector<std::string> &cells,
+                     const CsvRowForm               &form)
+    {
+      const unsigned int        none = numbers::invalid_unsigned_int;
+      const unsigned int        n    = form.columns.size();
+      std::vector<unsigned int> order(cells.size(), none);
+      std::vector<std::string>  names;
+      for (const std::string &cell : cells)
+        {
+          const auto [name, unit] = name_and_unit(cell);
+          check_unit(line, unit, form);
+          names.push_back(name);
+        }
+      std::vector<unsigned int> left;
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          std::vector<std::string> known{form.columns[i]};
+          const auto               others = other_names.find(form.columns[i]);
+          if (others != other_names.end())
+            known.insert(
+              known.end(), others->second.begin(), others->second.end());
+          unsigned int place = none;
+          for (const std::string &name : known)
+            for (unsigned int j = 0; j < names.size() && place == none; ++j)
+              if (names[j] == name && order[j] == none)
+                place = j;
+          if (place == none)
+            left.push_back(i);
+          else
+            order[place] = i;
+        }
+      if (n == cells.size() && n > 0 && form.columns[0] == "radius" &&
+          std::set<std::string>(names.begin(), names.end()) == axial_or_radial)
+        throw InputError(line.place,
+                         line.text,
+                         "either of y and z may be the axis: the columns must "
+                         "have the names r and z");
+      // what is not named is in order
+      auto next = left.begin();
+      for (unsigned int j = 0; j < order.size(); ++j)
+        if (order[j] == none)
+          order[j] = (next != left.end() ? *next++ : j);
+      const bool is_in_order = std::is_sorted(order.begin(), order.end());
+      if (!is_in_order && (n != cells.size() || left.size() > 1))
+        throw InputError(line.place, line.text, form.text());
+      return order;
+    }
+
+
+    /** A cell without double quotes around it. */
+    std::string
+    unquoted(const std::string &cell)
+    {
+      return cell.size() > 1 && cell.front() == '"' && cell.back() == '"'
+               ? Utilities::trim(cell.substr(1, cell.size() - 2))
+               : cell;
+    }
+
+
+    /** Whether a number with a comma may be one with three decimals as well as
+     * one with thousands: 1,250. */
+    bool
+    may_have_thousands(std::string number)
+    {
+      if (number[0] == '-' || number[0] == '+')
+        number.erase(0, 1);
+      const auto comma = number.find(',');
+      return comma <= 3 && number[0] != '0' && number.size() == comma + 4 &&
+             number.find_first_not_of("0123456789,") == std::string::npos;
+    }
+
+
     /** How the numbers of a CSV file are separated and written. */
     struct CsvStyle
     {
@@ -124,33 +268,75 @@ namespace Biface
                   const CsvStyle                  &style,
                   const CsvRowForm                &form)
     {
-      CsvRows result;
+      CsvRows                   result;
+      std::vector<unsigned int> order;
+      // the first number with a comma, if none tells what it separates
+      std::optional<InputError> doubtful;
+      bool                      is_certain = false;
       for (const NumberedLine &line : lines)
         {
-          const std::vector<std::string> cells =
+          std::vector<std::string> cells =
             split_cells(line.text, style.separator);
+          std::transform(cells.begin(), cells.end(), cells.begin(), unquoted);
           const bool has_row =
             (cells.size() >= form.n_min && cells.size() <= form.n_max);
           const bool is_header =
             form.header_allowed && result.n_lines == 0 && has_row &&
             std::all_of(cells.begin(), cells.end(), is_name);
+          const bool is_line_of_units =
+            !order.empty() && result.n_lines == 1 &&
+            std::all_of(cells.begin(), cells.end(), [](const auto &cell) {
+              return units_of_length.count(bare_unit(cell)) > 0;
+            });
           ++result.n_lines;
-          if (is_header)
-            continue;
           try
             {
+              if (is_header)
+                {
+                  // a message on names is more to the point than that of
+                  // another style
+                  ++result.n_lines;
+                  order = order_of_columns(line, cells, form);
+                  --result.n_lines;
+                  continue;
+                }
+              if (is_line_of_units)
+                {
+                  for (const std::string &cell : cells)
+                    check_unit(line, bare_unit(cell), form);
+                  continue;
+                }
               if (!has_row)
                 throw InputError(line.place, line.text, form.text());
               std::vector<double> row;
               for (std::string cell : cells)
                 {
                   if (style.decimal_comma && is_decimal_comma(cell))
-                    cell[cell.find(',')] = '.';
+                    {
+                      if (!may_have_thousands(cell))
+                        is_certain = true;
+                      else if (!doubtful)
+                        doubtful.emplace(
+                          line.place,
+                          cell,
+                          "the comma may separate decimals or thousands: "
+                          "numbers must have decimal points, or no "
+                          "separators of thousands");
+                      cell[cell.find(',')] = '.';
+                    }
                   // a mixture of points and commas has no meaning
                   else if (style.decimal_comma &&
                            cell.find('.') != std::string::npos)
                     throw InputError(line.place, cell, form.text());
                   row.push_back(parse_number(line.place, cell, form.text()));
+                }
+              if (!std::is_sorted(order.begin(), order.end()))
+                {
+                  if (row.size() != order.size())
+                    throw InputError(line.place, line.text, form.text());
+                  const std::vector<double> cells_of_file = row;
+                  for (unsigned int j = 0; j < row.size(); ++j)
+                    row[order[j]] = cells_of_file[j];
                 }
               result.rows.push_back(row);
             }
@@ -160,6 +346,8 @@ namespace Biface
               return result;
             }
         }
+      if (doubtful && !is_certain)
+        result.error = doubtful;
       return result;
     }
   } // namespace
@@ -223,7 +411,9 @@ namespace Biface
     for (unsigned int number = 1; std::getline(lines, line); ++number)
       {
         line = Utilities::trim(line);
-        if (line.empty() || line[0] == '#' || line[0] == '%')
+        if (line.find_first_not_of(",;\t\" ") == std::string::npos ||
+            line[0] == '#' || line[0] == '%' ||
+            (result.empty() && line.size() <= 5 && line.rfind("sep=", 0) == 0))
           continue;
         result.push_back({name + ", line " + std::to_string(number), line});
         // splitting takes quadratic time
@@ -262,13 +452,14 @@ namespace Biface
 
 
   std::vector<std::vector<double>>
-  parse_rows(const std::string &text,
-             const std::string &name,
-             const std::string &meaning,
-             const unsigned int n_min,
-             const unsigned int n_max)
+  parse_rows(const std::string              &text,
+             const std::string              &name,
+             const std::string              &meaning,
+             const unsigned int              n_min,
+             const unsigned int              n_max,
+             const std::vector<std::string> &columns)
   {
-    const CsvRowForm form{meaning, n_min, n_max, true};
+    const CsvRowForm form{meaning, n_min, n_max, true, columns};
     return parse_rows(lines_of_csv(text, name, form.text()), form);
   }
 
@@ -276,24 +467,31 @@ namespace Biface
   std::vector<Point<2>>
   parse_pairs(const std::string &text,
               const std::string &name,
-              const std::string &meaning)
+              const std::string &meaning,
+              const std::string &unit_of_length)
   {
+    const CsvRowForm form{"each line must contain two numbers, '" + meaning +
+                            "'",
+                          2,
+                          2,
+                          true,
+                          split_cells(meaning, ','),
+                          unit_of_length};
     std::vector<Point<2>> points;
     for (const auto &row :
-         parse_rows(text,
-                    name,
-                    "each line must contain two numbers, '" + meaning + "'",
-                    2,
-                    2))
+         parse_rows(lines_of_csv(text, name, form.text()), form))
       points.emplace_back(row[0], row[1]);
     return points;
   }
 
 
   void
-  PairsFile::read(const std::string &meaning, const MPI_Comm communicator)
+  PairsFile::read(const std::string &meaning,
+                  const MPI_Comm     communicator,
+                  const std::string &unit_of_length)
   {
-    pairs = parse_pairs(read_file(name, communicator), name, meaning);
+    pairs =
+      parse_pairs(read_file(name, communicator), name, meaning, unit_of_length);
   }
 
 

@@ -278,14 +278,17 @@ namespace Biface
           std::string cell = cells.size() > i ? cells[i] : "";
           for (char &c : cell)
             c = std::tolower(static_cast<unsigned char>(c));
-          return cell == title;
+          // a unit may follow
+          return Utilities::trim(cell.substr(0, cell.find_first_of("[("))) ==
+                 title;
         };
-        const bool is_header =
-          header_allowed && is(0, "material") && is(1, "thickness");
+        const bool is_header = header_allowed && is(0, "material") &&
+                               (is(1, "thickness") || is(1, "angle"));
         header_allowed = false;
-        if (is_header)
+        if (is_header && is(1, "thickness") &&
+            (cells.size() < 3 || is(2, "angle")))
           continue;
-        if (cells.size() < 3 || cells.size() > 5 ||
+        if (is_header || cells.size() < 3 || cells.size() > 5 ||
             line.text.find_first_of("#@:\\") != std::string::npos)
           throw InputError(line.place, line.text, form);
         const std::string ply =

@@ -434,7 +434,8 @@ namespace Biface
       parameters.check();
       if (!parameters.surface.points_file.name.empty())
         parameters.surface.points_file.read("radius, axial coordinate",
-                                            communicator);
+                                            communicator,
+                                            parameters.units.of_length());
       parameters.surface.imperfection.read_files(communicator);
       for (TableFile &table : parameters.laminate.tables)
         table.file.read("alpha_1, value", communicator);

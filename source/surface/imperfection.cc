@@ -109,7 +109,8 @@ namespace Biface
                       "each line must contain three numbers, 'alpha_1, "
                       "alpha_2, value'",
                       3,
-                      3))
+                      3,
+                      {"alpha_1", "alpha_2", "value"}))
         table.rows.emplace_back(row[0], row[1], row[2]);
   }
 

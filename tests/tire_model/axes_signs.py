@@ -40,7 +40,7 @@ check((other["slip_angle"] == -values["slip_angle"]).all()
 # stiffnesses: F_y over slip angle and inclination
 formula = read_tir(MADE).formula()
 h = 1e-5
-for axes, sign in (("iso", -1), ("sae", -1), ("adapted-iso", 1)):
+for axes, sign in (("iso", -1), ("sae", -1), ("adapted-iso", 1), ("adapted-sae", 1)):
     for angle in ("slip_angle", "inclination_angle"):
         forces = []
         for value in (-h, h):
@@ -57,5 +57,6 @@ try:
     convert(values, "iso", "din")
     check(False, "unknown axes are accepted")
 except BifaceError as error:
-    check(str(error) == "the axes are 'din', but must be iso, sae or adapted-iso.",
+    check(str(error) == "the axes are 'din', but must be iso, sae, adapted-iso or "
+                        "adapted-sae.",
           str(error))

@@ -24,6 +24,10 @@ check(output_of("evaluate", path, *words, "--radius", "0.32").splitlines() == ro
 check(output_of("evaluate", path, "--units", "mm, N, s", "--radius", "320", *words)
       == output_of("evaluate", MADE, "--units", "mm, N, s", *words), "another unit")
 
+empty = write("empty.tir", source.replace("UNLOADED_RADIUS = 0.32\n",
+                                          "UNLOADED_RADIUS = $ none\n"))
+check(tire_model("evaluate", empty, *words)[:2] == (code, text), "an empty radius is one")
+
 text = tire_model("check", path)[1]
 check("no radius" in text and "UNLOADED_RADIUS is missing: moments need it" in text, text)
 

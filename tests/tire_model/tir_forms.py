@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 
 # Entries may have all forms that programs write: lower case, quotes, comments behind $ or !,
-# exponents with E and D, ends of lines of any system, a mark of byte order.
+# exponents with E and D, ends of lines of any system, a mark of byte order, comments of
+# other programs, sections in two parts.
 
 from tire_model_test import check, require, scratch
 
 require("numpy", "scipy")
 
 from biface_tire_model import read_tir
+from biface_tire_model.tir_file import parse
 
 TEXT = """$ a remark
 ! another
@@ -41,6 +43,15 @@ for ending in ("\n", "\r\n", "\r"):
         check(file.remarks == ["a remark", "another"], f"{file.remarks}")
         check(file.sections["MODEL"].comments["LONGVL"] == "speed", "no comment")
         check(file.formula().name == "5.2", "another formula")
+
+for text in (TEXT.replace("$ a remark", "# a remark").replace("! another", "// another"),
+             TEXT.replace("\nPKY1 = -1.5d1", "\nPKY1 = -1.5d1  # = 15\n; x\n% y = 3\n** z"),
+             TEXT.replace("= +1.", "= +1. // one").replace("[Model]", "Title, 1\n[Model]"),
+             TEXT + "[MODEL]\nVXLOW = 1\nFITTYP = 6\n",
+             TEXT + "[SHAPE]\n 1.00  0.00 $ middle\n 0.9 1\n"):
+    path.write_text(text, encoding="utf-16")
+    check(parse(read_tir(path).text()) == read_tir(path), "written otherwise")
+    check(read_tir(path).coefficients() == file.coefficients(), "other coefficients")
 
 # a degree sign of Windows
 path.write_bytes(TEXT.replace("speed", "speed at 20 °C").encode("cp1252"))

@@ -55,6 +55,8 @@ begin, end = TEXT.index("\n 0.0") + 1, TEXT.index("**END")
 again = read_tydex(write("full.tdx", TEXT[:begin] + full + TEXT[end:]))
 check(all(np.allclose(again[name], data[name]) for name in data.columns), "other data")
 
+check(data.unused == ["RUNTIME", "TRCKTEMP"], f"not used: {data.unused}")
+
 # the command reads a directory too
 folder = scratch()
 (folder / "A.TDX").write_text(TEXT, encoding="ascii")

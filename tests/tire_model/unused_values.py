@@ -18,6 +18,16 @@ check(output_of("evaluate", path, *words) == output_of("evaluate", MADE, *words)
 text = output_of("check", path)
 check("Not used (no number): ROAD_INCREMENT, USE_MODE, NOTE, MASS, IYY." in text, text)
 
+# a pressure and a velocity without values are those of a file without them
+lines = ("INFLPRES = 220000\n", "LONGVL = 16.7\n")
+missing = empty = source
+for line in lines:
+    check(line in source, f"{line.strip()} is not there")
+    missing = missing.replace(line, "")
+    empty = empty.replace(line, line.split("=")[0] + "=\n")
+check(output_of("evaluate", write("empty.tir", empty), *words)
+      == output_of("evaluate", write("missing.tir", missing), *words), "the forces differ")
+
 # a range without values is none
 code, _, errors = tire_model("evaluate", write("range.tir", source.replace(
     "FZMAX = 9000", "FZMAX =")), "--fz", "90000")

@@ -46,5 +46,8 @@ check(output_of("evaluate", path, *words) == output_of("evaluate", MADE, *words,
       "USE_MODE is not --mirror")
 check(output_of("evaluate", path, *words, "--mirror") == output_of("evaluate", MADE, *words),
       "the mirror image of the mirror image is another tire")
+quoted = write("quoted.tir", source.replace("[MODEL]\n", "[MODEL]\nUSE_MODE = '-14'\n"))
+check(output_of("evaluate", quoted, *words) == output_of("evaluate", path, *words),
+      "USE_MODE in quotes is another one")
 check("USE_MODE is -14: below 0 the tire is evaluated as its mirror image"
       in tire_model("check", path)[1], "check does not name USE_MODE")

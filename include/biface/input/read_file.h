@@ -32,8 +32,9 @@ namespace Biface
     std::string text;
   };
 
-  /** The lines of the text of a CSV file, but empty ones and those that start
-   * with '#' or '%'. Throws InputError if a line is too long. */
+  /** The lines of the text of a CSV file, but those without cells, those that
+   * start with '#' or '%', and a first line such as 'sep=;', which tells a
+   * separator. Throws InputError if a line is too long. */
   std::vector<NumberedLine>
   lines_of_csv(const std::string &text,
                const std::string &name,
@@ -60,6 +61,12 @@ namespace Biface
     unsigned int n_max = 1;
     /** Whether the first line may contain the names of the columns. */
     bool header_allowed = false;
+    /** The names of the columns in their order, to which those of a file may
+     * refer. */
+    std::vector<std::string> columns = {};
+    /** The name of the unit of length of columns that are lengths; empty if it
+     * is not known. */
+    std::string unit_of_length = "";
 
     /** The sentence, with the separators of several numbers. */
     std::string
@@ -70,9 +77,15 @@ namespace Biface
   /**
    * Rows of numbers, one per line. They are separated by commas, semicolons,
    * tabs or blanks, the same in all lines, and may have decimal commas where
-   * these do not separate them.
+   * these do not separate them. Cells may be in double quotes.
    *
-   * Throws InputError, naming the line, if a line contains anything else.
+   * The first line may contain names of columns. If they are those of the form
+   * in another order, the numbers of each row are put in order: 'z, r' as names
+   * of a radius and an axial coordinate. A unit in brackets may follow a name.
+   *
+   * Throws InputError, naming the line, if a line contains anything else, if
+   * names of columns leave their order open, if a unit is not that of the form,
+   * or if commas may separate decimals as well as thousands.
    */
   std::vector<std::vector<double>>
   parse_rows(const std::vector<NumberedLine> &lines, const CsvRowForm &form);
@@ -90,21 +103,26 @@ namespace Biface
    * @param name the name of the file, for error messages.
    * @param meaning what a line must contain, for error messages.
    * @param n_min,n_max the numbers in a row.
+   * @param columns see CsvRowForm.
    */
   std::vector<std::vector<double>>
-  parse_rows(const std::string &text,
-             const std::string &name,
-             const std::string &meaning,
-             const unsigned int n_min,
-             const unsigned int n_max);
+  parse_rows(const std::string              &text,
+             const std::string              &name,
+             const std::string              &meaning,
+             const unsigned int              n_min,
+             const unsigned int              n_max,
+             const std::vector<std::string> &columns = {});
 
 
   /** Rows of two numbers, see parse_rows().
-   * @param meaning the names of the two columns, for error messages. */
+   * @param meaning the names of the two columns, separated by a comma.
+   * @param unit_of_length of columns that are lengths; empty if it is not
+   * known. */
   std::vector<dealii::Point<2>>
   parse_pairs(const std::string &text,
               const std::string &name,
-              const std::string &meaning);
+              const std::string &meaning,
+              const std::string &unit_of_length = "");
 
 
   /** A file of pairs of numbers named by an entry. */
@@ -116,7 +134,9 @@ namespace Biface
 
     /** Read the pairs, see read_file() and parse_pairs(). */
     void
-    read(const std::string &meaning, const MPI_Comm communicator);
+    read(const std::string &meaning,
+         const MPI_Comm     communicator,
+         const std::string &unit_of_length = "");
   };
 
 

@@ -24,6 +24,13 @@ namespace Biface
     std::map<std::string, std::string>
     of_fields(const std::vector<std::string> &fields) const;
 
+    /** The name of the unit of length; empty without names of units. */
+    std::string
+    of_length() const
+    {
+      return names.empty() ? "" : names[0];
+    }
+
   private:
     /** The names of the units of length, force and time, or none. */
     std::vector<std::string> names;

@@ -61,7 +61,7 @@ def number(line, column, place):
 
 def read(path):
     """The points of a CSV file with the columns of COLUMNS, see biface.delimited."""
-    names, rows = read_delimited(path, lambda cell: cell.strip() in COLUMNS)
+    names, rows, _ = read_delimited(path, lambda cell: cell in COLUMNS)
     for column in COLUMNS:
         if column not in names:
             raise BifaceError(f"{path} has no column '{column}' among columns separated by "

@@ -9,9 +9,14 @@ sae          SAE J670e: x forward, y to the right, z down, that is, the ISO axes
 adapted-iso  as ISO, but with slip angle and inclination angle of the other sign, so that
              all slip stiffnesses are positive (Besselink, Shimmy of Aircraft Main
              Landing Gears, 2000).
+adapted-sae  as SAE, but with the slip angle and F_z of the other sign, so that loads and
+             all slip stiffnesses are positive (Pacejka, Tire and Vehicle Dynamics, 2012,
+             Appendix 1).
 
 The longitudinal slip is -1 for a locked wheel in all of them.
 """
+
+import re
 
 from biface.errors import BifaceError
 
@@ -20,6 +25,7 @@ SIGNS = {
     "iso": {},
     "sae": {"slip_angle": -1, "F_y": -1, "F_z": -1, "M_y": -1, "M_z": -1},
     "adapted-iso": {"slip_angle": -1, "inclination_angle": -1},
+    "adapted-sae": {"F_y": -1, "M_y": -1, "M_z": -1},
 }
 
 # What changes its sign if the tire is seen in a mirror, that is, between a tire on the
@@ -30,6 +36,26 @@ MIRRORED = ("slip_angle", "inclination_angle", "F_y", "M_x", "M_z")
 def named(text):
     """The key of SIGNS for axes as a tire test of biface names them."""
     return text.lower().replace(" ", "-")
+
+
+_NAMES = re.compile(r"\b(adapted[ -])?(iso|sae)\b", re.IGNORECASE)
+_ABOUT = re.compile(r"\b(ax[ie]s|coordinates?|conventions?|system|signs?)\b|J ?670|8855",
+                    re.IGNORECASE)
+
+
+def mentioned(text):
+    """The axes that a sentence mentions, such as 'SAE J670 coordinates': a set of keys of
+    SIGNS."""
+    if not _ABOUT.search(text):
+        return set()
+    return {("adapted-" if adapted else "") + name.lower()
+            for adapted, name in _NAMES.findall(text)}
+
+
+def slope_of_lateral_force(axes):
+    """The sign of the slope of F_y over the slip angle."""
+    signs = SIGNS[axes]
+    return -signs.get("F_y", 1) * signs.get("slip_angle", 1)
 
 
 def convert(values, source, target):

@@ -5,7 +5,7 @@ import numpy as np
 
 from biface.errors import BifaceError
 from .coefficients import ALIASES, COEFFICIENTS, CONSTANTS, EXTRA
-from .tir_file import DIMENSIONS, FITTYP
+from .tir_file import DIMENSIONS, FITTYP, SIDES
 
 # What would change forces and moments, in whichever section it stands
 DECAY = "the decay of friction with the slip velocity"
@@ -22,6 +22,11 @@ OTHER = {
         "LCZ", "LIP", "PFZ1", "PCFX1", "PCFX2", "PCFX3", "PCFY1", "PCFY2", "PCFY3",
         "PCMZ1", "QFZ1", "QFZ2", "QFZ3", "QPFZ1", "QFCX1", "QFCY1", "QFCG1", "QV1", "QV2"),
 }
+
+# Between which constants of real tires lie, in SI units; others are a wrong unit
+USUAL = {"UNLOADED_RADIUS": (0.01, 3, "m"), "FNOMIN": (20, 1e6, "N"),
+         "LONGVL": (0.1, 150, "m/s"), "INFLPRES": (1e3, 1e7, "Pa"),
+         "NOMPRES": (1e3, 1e7, "Pa")}
 
 # Where a formula has coefficients: the sections in which unknown entries count
 SECTIONS = sorted({coefficient.section for coefficient in COEFFICIENTS.values()})
@@ -42,7 +47,7 @@ def missing(file, formula):
     names += [coefficient.name for coefficient in used_by(formula)
               if not (coefficient.name in EXTRA
                       or formula.name == "5.2" and "p" in coefficient.needs)]
-    return [name for name in names if file.find(name) is None]
+    return [name for name in names if file.find_number(name) is None]
 
 
 def unknown(file):
@@ -67,9 +72,34 @@ def unusual(file, formula):
     result = []
     for coefficient in used_by(formula):
         value = file.find(coefficient.name)
+        if coefficient.name == "PDY1" and value is not None:
+            # files of MF 5 have the sign of F_y at positive slip angles
+            value = abs(value)
         if value is not None and not coefficient.low <= value <= coefficient.high:
             result.append(f"{coefficient.name} is {value:g}, but usually lies between "
                           f"{coefficient.low:g} and {coefficient.high:g}.")
+    return result
+
+
+def wrong_units(file):
+    """Sentences on constants that are likely to have another unit than the file says."""
+    result = []
+    for name, (low, high, unit) in USUAL.items():
+        value = file.find_number(name)
+        if value is not None and not low <= value <= high:
+            result.append(f"{name} is {value:g} {unit} by the section [UNITS], but usually "
+                          f"lies between {low:g} and {high:g} {unit}.")
+    return result
+
+
+def wrong_signs(formula, load):
+    """Sentences on slopes at a load that no tire has in ISO axes."""
+    result = []
+    if formula.lateral(load).slope > 0:
+        result.append(f"F_y rises with the slip angle at {load:g} N, but must fall in ISO "
+                      "axes, those of .tir files.")
+    if formula.longitudinal(load).slope < 0:
+        result.append(f"F_x falls with the longitudinal slip at {load:g} N, but must rise.")
     return result
 
 
@@ -84,7 +114,8 @@ def doubtful(formula, file):
     result = []
     for what, curve in (("F_x", formula.longitudinal(loads)),
                         ("F_y", formula.lateral(loads))):
-        wrong = loads[curve.D <= 0]
+        # that of F_y may have the sign of the force, see unusual()
+        wrong = loads[curve.D * (np.sign(formula.p.PDY1) if what == "F_y" else 1) <= 0]
         if wrong.size:
             result.append(f"The friction of {what} is not positive from the load "
                           f"{wrong[0]:.4g} to {wrong[-1]:.4g} N.")
@@ -118,9 +149,10 @@ def report(file):
         lines.append("There is no section [UNITS]; the values are taken as SI units.")
     for section in file.sections.values():
         content = f"{len(section.entries):4d} entries"
+        if section.rows or section.columns:
+            content += f", a table of {len(section.rows)} rows"
         if section.columns:
-            content += (f", a table of {len(section.rows)} rows: "
-                        f"{' '.join(section.columns)}")
+            content += f": {' '.join(section.columns)}"
         lines.append(f"  [{section.name}]".ljust(32) + content)
     if formula.mirrored:
         lines.append(f"USE_MODE is {file.find('USE_MODE'):g}: below 0 the tire is "
@@ -128,6 +160,8 @@ def report(file):
     if not formula.has_radius:
         lines.append("UNLOADED_RADIUS is missing: moments need it, see evaluate --radius; "
                      "F_x and F_y do not.")
+    if file.side() not in SIDES:
+        lines.append(f"Not used (neither LEFT nor RIGHT): TYRESIDE, '{file.side()}'.")
     if file.not_numbers():
         lines.append("Not used (no number): " + ", ".join(file.not_numbers()) + ".")
     absent = missing(file, formula)
@@ -135,7 +169,7 @@ def report(file):
         lines.append(f"Missing, taken as neutral: {', '.join(absent)}.")
     for purpose, names in unknown(file).items():
         lines.append(f"Not used ({purpose}): {', '.join(names)}.")
-    found = unusual(file, formula) + doubtful(formula, file)
+    found = wrong_units(file) + unusual(file, formula) + doubtful(formula, file)
     try:
         forces = formula.evaluate(formula.p.FNOMIN, [-0.05, 0, 0.05], [0.02, 0, -0.02])
         if not np.isfinite(np.array(forces if formula.has_radius else forces[:2])).all():

@@ -4,10 +4,8 @@
 from biface.errors import BifaceError
 from . import coefficients as known
 from .coefficients import NAMES_52
-from .tir_file import SI_UNITS, TirFile
+from .tir_file import SI_UNITS, SIDES, TirFile
 from .units import one_of
-
-SIDES = ("LEFT", "RIGHT")
 
 
 def make_tir(fit, side="LEFT", title="", vertical=None, structural=None):

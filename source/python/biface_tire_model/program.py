@@ -12,16 +12,17 @@ from biface.errors import BifaceError
 from biface_report.command_line import Arguments, complain, missing_module
 from . import text
 from .axes import SIGNS, mirror
-from .check import report
+from .check import report, wrong_signs, wrong_units
 from .fitting import fit
-from .fitted_file import SIDES, make_tir
+from .fitted_file import make_tir
 from .structural import Structural
 from .structure import read_structure
 from .structure_tables import common_system, structure_tables, text_of
-from .table import LARGEST_ANGLE, LARGEST_SLIP, read_table, write_table
-from .tir_file import read_tir
+from .table import (LARGEST_ANGLE, LARGEST_SLIP, doubts, header_of, read_table,
+                    write_table)
+from .tir_file import SIDES, read_tir
 from .tydex import read_tydex, write_tydex
-from .units import System
+from .units import DEFAULT, System
 from .vertical import vertical
 
 COMMAND = "biface-tire-model"
@@ -46,17 +47,14 @@ def make_parser():
     return parser
 
 
-DEFAULT_UNITS = "m, N, s"
-
-
 def add_units(parser, what):
     """The options for units and axes."""
     parser.add_argument("--units", metavar="UNITS",
                         help=f"of length, force and time, {what} (default: "
-                             f"'{DEFAULT_UNITS}'); pressures and moments follow")
-    parser.add_argument("--angles", default="deg", choices=("deg", "rad"),
+                             f"'{DEFAULT}'); pressures and moments follow")
+    parser.add_argument("--angles", choices=("deg", "rad"),
                         help="the unit of angles (default: deg)")
-    parser.add_argument("--axes", default="iso", choices=tuple(SIGNS),
+    parser.add_argument("--axes", choices=tuple(SIGNS),
                         help="the signs (default: iso, the W axes of ISO 8855)")
 
 
@@ -215,20 +213,31 @@ def units_of(arguments):
     ones."""
     path = results_table(arguments)
     named = path and Results(path.parent).setting("Units")
-    return System(named or arguments.units or DEFAULT_UNITS, arguments.angles)
+    if path:
+        return System(named or arguments.units, arguments.angles or "deg")
+    own = None if is_tydex(arguments.table) else header_of(arguments.table)
+    if own and arguments.units is None and arguments.angles is None:
+        return own[0]
+    return System(arguments.units, arguments.angles)
+
+
+def is_tydex(path):
+    """Whether a path is that of TYDEX files."""
+    return path.is_dir() or path.suffix.lower() == ".tdx"
 
 
 def read_data(arguments, system):
     """The measurements that a command works on."""
     path = results_table(arguments) or arguments.table
-    if path.is_dir() or path.suffix.lower() == ".tdx":
-        return read_tydex(path)
+    if is_tydex(path):
+        return read_tydex(path, arguments.axes or "iso")
     return read_table(path, system, arguments.axes)
 
 
 def evaluate(arguments):
     """Forces and moments as a table."""
-    system = System(arguments.units or DEFAULT_UNITS, arguments.angles)
+    system = System(arguments.units, arguments.angles)
+    axes = arguments.axes or "iso"
     file = read_tir(arguments.file)
     formula = file.formula(arguments.starred)
     radius = positive(arguments.radius, "--radius", system["length"])
@@ -243,13 +252,15 @@ def evaluate(arguments):
                for words in [getattr(arguments, option[2:])] if words is not None}
     if np.prod([len(values) for values in columns.values()], dtype=float) > 1e7:
         raise BifaceError("the table would have more than ten million rows.")
-    signs = SIGNS[arguments.axes]
+    signs = SIGNS[axes]
     for name in columns:
         columns[name] = columns[name] * signs.get(name, 1)
     limits(columns)
     grid = np.meshgrid(*columns.values(), indexing="ij")
     columns = {name: values.ravel() for name, values in zip(columns, grid)}
     warn_outside(file, columns)
+    for sentence in wrong_units(file) + wrong_signs(formula, formula.p.FNOMIN):
+        print(f"{COMMAND}: warning: {arguments.file}: {sentence}", file=sys.stderr)
     seen = mirror(columns) if arguments.mirror else columns
     forces = formula.evaluate(seen["F_z"], seen["slip_ratio"], seen["slip_angle"],
                               seen["inclination_angle"], seen.get("pressure"),
@@ -260,7 +271,7 @@ def evaluate(arguments):
         print(f"{COMMAND}: warning: {arguments.file} has no UNLOADED_RADIUS, which moments "
               "need: they are left out; see --radius.", file=sys.stderr)
     columns.update(mirror(forces) if arguments.mirror else forces)
-    table = write_table(columns, system, arguments.axes)
+    table = write_table(columns, system, axes)
     if arguments.output:
         arguments.output.write_text(table, encoding="utf-8")
     else:
@@ -331,6 +342,8 @@ def fit_table(arguments):
                         system["pressure"])
     velocity = positive(arguments.velocity, "--velocity", system["velocity"])
     data = read_data(arguments, system)
+    for sentence in doubts(data):
+        print(f"{COMMAND}: warning: {arguments.table}: {sentence}", file=sys.stderr)
     stiffness = vertical(data, pressure)
     structure = None
     if arguments.structure:
@@ -350,7 +363,8 @@ def fit_table(arguments):
     structural = structure and Structural(structure, result, stiffness)
     make_tir(result, arguments.side, f"From {arguments.table.name}.", stiffness,
              structural).write(arguments.output)
-    print(text.of_fit(result) + text.of_stiffness(stiffness)
+    unused = [] if results_table(arguments) else data.unused
+    print(text.of_fit(result) + text.not_used(unused) + text.of_stiffness(stiffness)
           + (text.of_structural(structural) if structural else ""), end="")
     if arguments.picture:
         draw(result.formula, data, arguments.picture, data)

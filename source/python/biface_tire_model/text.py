@@ -29,6 +29,14 @@ def left_neutral(fit):
                    for line in lines)
 
 
+def not_used(columns):
+    """A sentence on columns of the table that are no channels."""
+    if not columns:
+        return ""
+    return textwrap.fill(f"Columns not used: {', '.join(columns)}.", 88,
+                         subsequent_indent="  ") + "\n"
+
+
 def of_stiffness(vertical):
     """A sentence on the vertical stiffness, if it is known."""
     if vertical is None:

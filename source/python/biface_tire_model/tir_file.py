@@ -12,6 +12,7 @@ import re
 from pathlib import Path
 
 from biface.errors import BifaceError
+from biface.text_file import text_of_file
 from . import units
 from .coefficients import ALIASES, COEFFICIENTS, CONSTANTS
 from .magic_formula import MF52, MF61, MagicFormula
@@ -21,6 +22,10 @@ FITTYP = {5: MF52, 6: MF52, 21: MF52, 52: MF52, 60: MF61, 61: MF61, 62: MF61}
 
 # Formats with the equations of MF 5.2, for files without FITTYP
 FORMATS = {"PAC2002": MF52, "MF_05": MF52}
+
+# Formats with other equations, whatever FITTYP says
+OTHER_FORMATS = ("PAC89", "PAC94", "PAC_MC", "PAC-MC", "PAC-TIME", "PAC_TIME", "FIALA", "UA",
+                 "5.2.1", "521_EQUATION", "FTIRE")
 
 # Powers of length, force, time, angle, mass and pressure in entries that have units
 _LENGTH, _FORCE, _TIME, _ANGLE, _MASS, _PRESSURE = (
@@ -51,17 +56,30 @@ DIMENSIONS = {
     "TIME_SWITCH_INTEG": _TIME,
 }
 
+# Constants that may be empty as well as missing
+OPTIONAL = ("UNLOADED_RADIUS", "LONGVL", "INFLPRES", "NOMPRES")
+
+# Numbers without a unit
+RATIOS = ("USE_MODE", "KPUMIN", "KPUMAX")
+
 # Those of the columns of tables
 TABLES = {"DEFLECTION_LOAD_CURVE": {"PEN": _LENGTH, "FZ": _FORCE},
           "BOTTOMING_CURVE": {"PEN": _LENGTH, "FZ": _FORCE}}
+
+# Where a tire may be mounted
+SIDES = ("LEFT", "RIGHT")
 
 # What the program writes
 SI_UNITS = {"LENGTH": "meter", "FORCE": "newton", "ANGLE": "radians", "MASS": "kg",
             "TIME": "second"}
 
-_SECTION = re.compile(r"\[\s*([^\]]*?)\s*\]\s*([$!].*)?$")
+# What begins a line of comments
+COMMENTS = ("$", "!", "#", "%", ";", "//", "/*", "**")
+
+_SECTION = re.compile(r"\[\s*([^\]]*?)\s*\]\s*((?:[$!#;%]|//).*)?$")
 _ENTRY = re.compile(r"([^=\s]+)\s*=\s*(.*)$")
-_QUOTED = re.compile(r"(['\"])(.*?)\1\s*([$!].*)?$")
+_QUOTED = re.compile(r"(['\"])(.*?)\1\s*((?:[$!#;%]|//).*)?$")
+_MARK = re.compile(r"[$!]|(?<=\s)(?:[#;]|//)")
 
 
 class Section:
@@ -71,8 +89,8 @@ class Section:
     entries   values by names in capitals: numbers or text
     comments  the comments behind them, by the same names, without $ or !
     remarks   lines of comments in the section
-    columns   the names of the columns of a table, in capitals; empty without one
-    rows      the numbers of the table, a tuple for each row
+    columns   the names of the columns of a table, in capitals; empty if it has none
+    rows      the numbers of the table, a tuple for each row; empty without one
     places    the lines of the entries in the file
     """
 
@@ -103,6 +121,7 @@ class Section:
                          .rstrip())
         if self.columns:
             lines.append("{" + " ".join(self.columns).lower() + "}")
+        if self.rows:
             lines += [" ".join(f"{shortest(value):>12}" for value in row)
                       for row in self.rows]
         return "\n".join(lines) + "\n"
@@ -137,6 +156,22 @@ class TirFile:
                     return section.entries[known]
         return otherwise
 
+    def check_unique(self, names):
+        """Raises BifaceError if two sections, or two names of the same, give an entry
+        different values. @p names are those in MF 6.1."""
+        found = {}
+        for section in self.sections.values():
+            for name, value in section.entries.items():
+                target = ALIASES.get(name, name)
+                if section.name == "UNITS" or target not in names or value == "":
+                    continue
+                other, section_name, first = found.setdefault(
+                    target, (name, section.name, value))
+                if value != first:
+                    raise BifaceError(
+                        f"{self.path}: {other} in [{section_name}] is {first:g}, but {name} "
+                        f"in [{section.name}] is {value:g}: only one of them can hold.")
+
     def find_number(self, name, otherwise=None):
         """The value of an entry if it is a number."""
         value = self.find(name)
@@ -156,7 +191,7 @@ class TirFile:
     def coefficients(self) -> dict[str, float]:
         """The coefficients of the Magic Formula and the constants it needs that the file
         has, by their names in MF 6.1."""
-        found = {name: self.find(name) for name in (*CONSTANTS, *COEFFICIENTS)}
+        found = {name: self.find_number(name) for name in (*CONSTANTS, *COEFFICIENTS)}
         return {name: value for name, value in found.items() if value is not None}
 
     def formula_class(self) -> type[MagicFormula]:
@@ -164,6 +199,9 @@ class TirFile:
         BifaceError for others."""
         fit_type, kind = self.find("FITTYP"), self.find("PROPERTY_FILE_FORMAT")
         if fit_type is not None:
+            if str(kind).upper() in OTHER_FORMATS:
+                raise BifaceError(f"{self.path}: PROPERTY_FILE_FORMAT is '{kind}', whose "
+                                  "equations are not those of MF 5.2 or MF 6.1.")
             if fit_type not in FITTYP:
                 raise BifaceError(f"{self.path}: FITTYP is {shortest(fit_type)}, but must "
                                   f"be {units.one_of(map(str, FITTYP))}.")
@@ -179,8 +217,9 @@ class TirFile:
     def formula(self, starred: bool = False) -> MagicFormula:
         """The Magic Formula with the coefficients of the file; @p starred as in
         MagicFormula. USE_MODE below 0 mirrors the tire. Raises BifaceError if it is another
-        formula, or if FNOMIN is missing."""
+        formula, if FNOMIN is missing, or if an entry has two values."""
         kind = self.formula_class()
+        self.check_unique({*CONSTANTS, *COEFFICIENTS})
         try:
             return kind(self.coefficients(), starred, self.is_mirrored)
         except BifaceError as error:
@@ -208,18 +247,7 @@ def shortest(value):
 def read_tir(path) -> TirFile:
     """Reads a .tir file. Raises BifaceError with file, line and entry if it is not
     well-formed or has units that are not known."""
-    try:
-        text = Path(path).read_text(encoding="utf-8-sig")
-    except UnicodeDecodeError:
-        try:
-            text = Path(path).read_text(encoding="cp1252")
-        except UnicodeDecodeError:
-            raise BifaceError(f"{path} is not a text file.") from None
-    except OSError as error:
-        raise BifaceError(f"{path} cannot be read ({error.strerror}).") from None
-    if "\0" in text:
-        raise BifaceError(f"{path} is not a text file.")
-    return parse(text, str(path))
+    return parse(text_of_file(path), str(path))
 
 
 def parse(text, path="the file") -> TirFile:
@@ -229,15 +257,18 @@ def parse(text, path="the file") -> TirFile:
         line, place = line.strip(), f"{path}, line {number}"
         if not line:
             continue
-        if line[0] in "$!":
+        if line.startswith(COMMENTS):
             (section or result).remarks.extend(remark(line))
         elif line[0] == "[":
             section = begin_section(result, line, place)
+        elif section is None and "=" not in line and line[0] != "{":
+            result.remarks.append(line)
         elif section is None:
             raise BifaceError(f"{place}: '{line}' stands before the first section.")
         elif line[0] == "{":
             begin_table(section, line, place)
-        elif section.columns and "=" not in without_comment(line):
+        elif section.columns and "=" not in without_comment(line) \
+                or is_row(without_comment(line)):
             add_row(section, line, place)
         else:
             add_entry(section, line, number, place)
@@ -249,24 +280,21 @@ def parse(text, path="the file") -> TirFile:
 
 def remark(line):
     """The text of a line of comments; none of a mere separator."""
-    text = line.lstrip("$!").strip()
-    return [] if line.startswith("$-") or not text else [text]
+    text = line.lstrip("$!#%;/*").strip()
+    return [] if re.match(r"\W-", line) or not text else [text]
 
 
 def without_comment(text):
-    """Text up to a $ or !."""
-    return re.split(r"[$!]", text, maxsplit=1)[0].strip()
+    """Text up to a $ or !, or a #, ; or // behind a blank."""
+    return _MARK.split(text, maxsplit=1)[0].strip()
 
 
 def begin_section(result, line, place):
-    """A new section of the file."""
+    """A section of the file, which may have begun before."""
     match = _SECTION.match(line)
     if not match or not match.group(1):
         raise BifaceError(f"{place}: '{line}' is not a section, such as [MODEL].")
-    name = match.group(1).upper()
-    if name in result.sections:
-        raise BifaceError(f"{place}: the section [{name}] occurs twice.")
-    return result.section(name)
+    return result.section(match.group(1).upper())
 
 
 def begin_table(section, line, place):
@@ -279,15 +307,25 @@ def begin_table(section, line, place):
     section.columns = tuple(match.group(1).upper().split())
 
 
+def is_row(text):
+    """Whether a line has numbers only, as those of a table whose columns have no names."""
+    try:
+        return bool([float(word) for word in text.split()])
+    except ValueError:
+        return False
+
+
 def add_row(section, line, place):
     """A row of the table of a section."""
     words = without_comment(line).split()
-    if len(words) != len(section.columns):
-        raise BifaceError(f"{place}: the row has {len(words)} numbers where "
-                          f"{len(section.columns)} columns are named.")
+    count = len(section.columns or (section.rows or [words])[0])
+    if len(words) != count:
+        raise BifaceError(f"{place}: the row has {len(words)} numbers where {count} columns "
+                          f"are {'named' if section.columns else 'above'}.")
+    columns = section.columns or range(1, count + 1)
     section.rows.append(tuple(
         finite(word, f"{place}: the column {column} of [{section.name}]")
-        for column, word in zip(section.columns, words)))
+        for column, word in zip(columns, words)))
 
 
 def add_entry(section, line, number, place):
@@ -296,15 +334,16 @@ def add_entry(section, line, number, place):
     if not match:
         raise BifaceError(f"{place}: '{line}' is neither an entry, such as LCX = 1, nor a "
                           "section nor a comment.")
-    name, value = match.group(1).upper(), match.group(2)
-    if name in section.entries:
-        raise BifaceError(f"{place}: {name} occurs twice in [{section.name}].")
-    quoted = _QUOTED.match(value)
-    if value[:1] in ("'", '"') and not quoted:
+    name, text = match.group(1).upper(), match.group(2)
+    quoted = _QUOTED.match(text)
+    if text[:1] in ("'", '"') and not quoted:
         raise BifaceError(f"{place}: the text of {name} has no closing quote.")
-    comment = quoted.group(3) if quoted else value[len(re.split("[$!]", value)[0]):]
-    section.set(name, value_of(section, name, quoted, value, place),
-                (comment or "").lstrip("$!").strip())
+    value = value_of(section, name, quoted, text, place)
+    if section.entries.get(name, value) != value:
+        raise BifaceError(f"{place}: {name} occurs twice in [{section.name}], with different "
+                          "values.")
+    comment = quoted.group(3) if quoted else text[len(_MARK.split(text)[0]):]
+    section.set(name, value, (comment or "").lstrip("$!#;%/").strip())
     section.places[name] = number
 
 
@@ -318,9 +357,10 @@ def is_number(section, name):
 def value_of(section, name, quoted, value, place):
     """The value of an entry: text in quotes, or else a number if it is one."""
     word = quoted.group(2).strip() if quoted else without_comment(value)
-    if is_number(section, name):
+    if is_number(section, name) and not (
+            word == "" and ALIASES.get(name, name) in OPTIONAL):
         return finite(word, f"{place}: {name}")
-    if quoted and name not in DIMENSIONS:
+    if quoted and name not in DIMENSIONS and name not in RATIOS:
         return word
     try:
         number = float(fortran(word))
@@ -341,7 +381,8 @@ def finite(word, what):
     except ValueError:
         value = math.nan
     if not math.isfinite(value):
-        raise BifaceError(f"{what} is '{word}', but must be a number.")
+        form = "a number with a decimal point" if "," in word else "a number"
+        raise BifaceError(f"{what} is '{word}', but must be {form}.")
     return value
 
 
@@ -353,6 +394,8 @@ def convert(file):
     sizes = {"LENGTH": 1, "FORCE": 1, "TIME": 1, "ANGLE": 1, "MASS": 1, "PRESSURE": 1}
     for name, value in section.entries.items():
         place = f"{file.path}, line {section.places[name]}"
+        if name == "TEMPERATURE":
+            continue
         if name not in sizes:
             raise BifaceError(f"{place}: [UNITS] has the entry {name}, but only has "
                               f"{units.one_of(sizes)}.")
@@ -369,6 +412,8 @@ def convert(file):
         for name, value in other.entries.items():
             if name in DIMENSIONS and not isinstance(value, str):
                 other.entries[name] = value * size(DIMENSIONS[name])
+        if not other.columns:
+            continue
         factors = [size(TABLES.get(other.name, {}).get(column, (0,) * 6))
                    for column in other.columns]
         other.rows = [tuple(value * unit for value, unit in zip(row, factors))

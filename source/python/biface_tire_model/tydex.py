@@ -14,9 +14,10 @@ from pathlib import Path
 import numpy as np
 
 from biface.errors import BifaceError
+from biface.text_file import text_of_file
 from . import units
 from .channels import CHANNELS, OUTPUTS
-from .table import Measurements, check, to_float
+from .table import Measurements, check, check_slopes, to_float, to_iso
 
 BY_TYDEX = {channel.tydex: channel.name for channel in CHANNELS.values()
             if channel.tydex}
@@ -150,16 +151,8 @@ def write_tydex(data, directory, constants=()) -> list[Path]:
 
 def sections_of(path):
     """The lines of a file below each keyword, with their numbers."""
-    try:
-        text = Path(path).read_bytes().decode("utf-8-sig")
-    except UnicodeDecodeError:
-        text = Path(path).read_text(encoding="latin-1")
-    except OSError as error:
-        raise BifaceError(f"{path} cannot be read ({error.strerror}).") from None
-    if "\0" in text:
-        raise BifaceError(f"{path} is not a text file.")
     result, current = {}, None
-    for place, line in enumerate(text.splitlines(), 1):
+    for place, line in enumerate(text_of_file(path).splitlines(), 1):
         if line.startswith("**"):
             keyword = line[2:].strip().upper()
             if keyword not in KEYWORDS:
@@ -211,8 +204,8 @@ def words_of(line, count):
 
 
 def read_file(path):
-    """The columns of one file in SI units, by the names of channels.py, and the places of
-    the states. Channels that are not among them are left out; constants fill the columns
+    """The columns of one file in SI units, by the names of channels.py, the places of the
+    states, and the names of other channels, which are left out. Constants fill the columns
     that have no channel or no value."""
     sections = sections_of(path)
     channels = channels_of(path, sections["MEASURCHANNELS"])
@@ -238,7 +231,9 @@ def read_file(path):
             value = to_float(line[50:].strip(), place, f"the constant {name}")
             columns[name] = np.full(len(rows), value * size_of(
                 name, line[UNIT].strip() or "-", place))
-    return complete(path, columns, places)
+    unused = [line[NAME].strip() for (known, *_), (_, line)
+              in zip(channels, sections["MEASURCHANNELS"]) if known is None]
+    return *complete(path, columns, places), unused
 
 
 def value_of(word, place, what):
@@ -257,13 +252,14 @@ def complete(path, columns, places):
             [place for place, is_known in zip(places, known) if is_known])
 
 
-def read_tydex(paths) -> Measurements:
+def read_tydex(paths, axes: str = "iso") -> Measurements:
     """The states of TYDEX files, all in one table.
 
     paths  files, or one file or directory, whose files *.tdx are read
+    axes   those of the files, see axes.py; the format has the ones of ISO
 
-    Raises BifaceError with file and line if one is not complete, or if the files do not
-    have the same forces and moments."""
+    Raises BifaceError with file and line if one is not complete, if the files do not have
+    the same forces and moments, or if these contradict the axes."""
     if isinstance(paths, (str, Path)):
         path = Path(paths)
         paths = sorted(file for file in path.iterdir()
@@ -271,7 +267,7 @@ def read_tydex(paths) -> Measurements:
             if path.is_dir() else [path]
         if not paths:
             raise BifaceError(f"{path} has no files .tdx.")
-    tables, places = zip(*(read_file(path) for path in paths))
+    tables, places, unused = zip(*(read_file(path) for path in paths))
     names = [name for name in CHANNELS if any(name in table for table in tables)]
     for name in names:
         for path, table in zip(paths, tables):
@@ -281,7 +277,9 @@ def read_tydex(paths) -> Measurements:
                                       "files have.")
                 count = len(next(iter(table.values())))
                 table[name] = np.full(count, np.nan if name[0] in "FM" else 0.0)
-    result = Measurements({name: np.concatenate([table[name] for table in tables])
-                           for name in names})
+    result = Measurements(to_iso({name: np.concatenate([table[name] for table in tables])
+                                  for name in names}, axes),
+                          dict.fromkeys(sum(unused, [])))
     check(result, sum(places, []))
+    check_slopes(result, axes, paths[0])
     return result
