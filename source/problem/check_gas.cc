@@ -114,5 +114,44 @@ namespace Biface
           }
         ends.push_back(stages[i].pressure.value_or(before));
       }
+    if (gas.air.sound_speed)
+      check_air(ends);
+  }
+
+
+  void
+  Parameters::check_air(const std::vector<double> &pressures) const
+  {
+    const auto refuse = [this](const bool wrong, const std::string &why) {
+      if (wrong)
+        throw InputError("Gas/Sound speed",
+                         number_to_string(*gas.air.sound_speed),
+                         "it must be 'none' " + why);
+    };
+    refuse(surface.type != ReferenceSurface::Parameters::Type::revolution,
+           "unless 'Surface/Type = surface of revolution'");
+    refuse(supports.is_cyclic(),
+           "for a sector with cyclic edges, of which the waves go around the "
+           "whole");
+    refuse(has_inertia(),
+           "with 'Inertia = true', where the pressure of the gas is the same "
+           "everywhere");
+    const std::vector<bool> rolls = rolling_stages();
+    for (unsigned int i = 0; i < stages.size(); ++i)
+      if (stages[i].n_modes > 0 || stages[i].vibrates())
+        {
+          refuse(rolls[i],
+                 "with 'Modes' or a 'Frequency response' where the wheel rolls "
+                 "or spins");
+          refuse(!sensitivities.entries.empty(),
+                 "with 'Sensitivities' and 'Modes' or a 'Frequency response'");
+          if (!stages[i].sealed && !(pressures[i] + *gas.ambient_pressure > 0))
+            throw InputError("Gas/Ambient pressure",
+                             number_to_string(*gas.ambient_pressure),
+                             "with 'Sound speed' the absolute pressure must be "
+                             "positive, and in stage " +
+                               std::to_string(i + 1) + " the pressure is " +
+                               number_to_string(pressures[i]));
+        }
   }
 } // namespace Biface

@@ -117,7 +117,7 @@ namespace Biface
   VibrationMode
   ModalAnalysis::finish(const Eigenpair &pair,
                         const Loads     &loads,
-                        const double     part_of_air) const
+                        const double     part_of_shell) const
   {
     const ShellMesh &mesh       = equations.mesh;
     const bool       is_complex = pair.imaginary.size() > 0;
@@ -142,8 +142,8 @@ namespace Biface
             square[i] += content * content;
           }
       }
-    mode.part_of_air = part_of_air;
-    mode.mass /= 1 - part_of_air;
+    mode.part_of_air = 1 - part_of_shell;
+    mode.mass /= part_of_shell;
     for (unsigned int i = 0; i < 3; ++i)
       mode.participation[i] =
         (is_complex ? std::sqrt(square[i]) : mode.participation[i]) / mode.mass;
@@ -229,15 +229,15 @@ namespace Biface
       shift = -std::pow(2 * numbers::PI / n, 2) / product;
     }
 
-    /** Leave the part of the shell in vectors with the air.
-     * @param parts see VibrationMode::part_of_air. */
+    /** Leave the shell in vectors with the air.
+     * @param parts that of the shell in the kinetic energy. */
     void
     take_air_out(std::vector<Eigenpair> &pairs,
                  std::vector<double>    &parts) const
     {
       for (unsigned int i = 0; i < pairs.size(); ++i)
         {
-          parts[i]        = air->part_of_air(pairs[i].vector);
+          parts[i]        = air->part_of_shell(pairs[i].vector);
           pairs[i].vector = air->of_shell(pairs[i].vector);
         }
     }
@@ -518,9 +518,9 @@ namespace Biface
       normalize_phases(pairs, problem.multiply_mass, all_fields);
     else
       settle(pairs, problem.multiply_mass, all_fields);
-    std::vector<double> parts_of_air(pairs.size(), 0.);
+    std::vector<double> parts_of_shell(pairs.size(), 1.);
     if (problem.air)
-      problem.take_air_out(pairs, parts_of_air);
+      problem.take_air_out(pairs, parts_of_shell);
     std::vector<Eigenpair> left(pairs.size());
     if (with_left)
       left = (result.symmetric ? pairs : find_left(problem, pairs));
@@ -531,7 +531,7 @@ namespace Biface
           left[i] = Eigenpair();
         if (!problem.velocity)
           pairs[i].value = omega_of(pairs[i].value);
-        result.modes.push_back(finish(pairs[i], loads, parts_of_air[i]));
+        result.modes.push_back(finish(pairs[i], loads, parts_of_shell[i]));
         result.modes[i].left = left[i];
       }
     return result;

@@ -95,15 +95,13 @@ namespace Biface
 
 
   double
-  ShellWithAir::part_of_air(const LA::Vector &x) const
+  ShellWithAir::part_of_shell(const LA::Vector &x) const
   {
-    LA::Vector product(x);
-    multiply_mass(product, x);
-    const std::vector<double> q      = of_air(x);
-    double                    of_air = 0;
-    for (unsigned int j = 0; j < q.size(); ++j)
-      of_air += air.sections[j].inertia * q[j] * q[j];
-    return of_air / (product * x);
+    const LA::Vector u = of_shell(x);
+    LA::Vector       of_u(u), of_all(x);
+    mass.vmult(of_u, u);
+    multiply_mass(of_all, x);
+    return (of_u * u) / (of_all * x);
   }
 
 

@@ -154,6 +154,11 @@ namespace Biface
     void
     check_gas() const;
 
+    /** Throws InputError where the air can have no waves.
+     * @param pressures at the ends of the stages. */
+    void
+    check_air(const std::vector<double> &pressures) const;
+
     /** Check that stages with damping do not ask for what needs an
      * equilibrium. */
     void

@@ -213,11 +213,12 @@ namespace Biface
 
     /** The mode of an eigenpair, in which the value is @f$\omega@f$.
      * @param pair with @f$\omega@f$ for the eigenvalue.
-     * @param part_of_air see VibrationMode. */
+     * @param part_of_shell in the kinetic energy, see
+     * VibrationMode::part_of_air. */
     VibrationMode
     finish(const Eigenpair &pair,
            const Loads     &loads,
-           const double     part_of_air) const;
+           const double     part_of_shell) const;
 
     /** The left eigenvectors of the pairs @p right, with the factors at
      * hand. */

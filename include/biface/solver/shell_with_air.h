@@ -65,9 +65,10 @@ namespace Biface
     std::vector<LA::Vector>
     circulation() const;
 
-    /** The part of the air in the kinetic energy of a motion. */
+    /** The part of the shell in the kinetic energy of a motion; the rest is
+     * that of the air. */
     double
-    part_of_air(const LA::Vector &x) const;
+    part_of_shell(const LA::Vector &x) const;
 
     /** Solve a system of the shell alone, and return whether this succeeded. */
     using Solve = std::function<bool(LA::Vector &x, const LA::Vector &b)>;
