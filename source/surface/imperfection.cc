@@ -148,7 +148,7 @@ namespace Biface
       {
         if (!on_revolution)
           throw InputError(entry_of_series,
-                           print_named_files({one.file}),
+                           one.file.name,
                            "it must be empty on a surface that is not a "
                            "'surface of revolution'");
         for (const Table &table : tables)
