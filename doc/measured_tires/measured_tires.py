@@ -648,7 +648,8 @@ def cylinder_section(data):
 
         The database has a limit of 16.2 kN for this cylinder, and lists pushing forces of 1 to 10 N; which of them it belongs to it
         does not say. Ten cylinders of the same layup by [Degenhardt et al. 2010](references.bib#Degenhardt2010)
-        failed between 21.3 and 25.7 kN, by a summary of their report. The lower bound of
+        failed between 21.3 and 25.7 kN, by a summary of their report; [cylinders.md](cylinders.md) computes them
+        with their measured shapes. The lower bound of
         [NASA SP-8007](references.bib#NASASP8007) for R/t = 500 is 0.32 of the perfect cylinder,
         {0.32 * perfect:.1f} kN: it covers larger imperfections than these, and all that is not known of them.
         Steps are {SHORTENING / STEPS} mm of shortening, halved up to four times, so that a force is at

@@ -197,7 +197,7 @@ namespace Biface
        revolution &&
          surface.meridian ==
            ReferenceSurface::Parameters::MeridianType::cord_equilibrium});
-    surface.imperfection.check();
+    surface.imperfection.check(revolution);
     // what parts demand of each other, once each of them is valid
     check_densities();
     check_laws();
@@ -473,25 +473,6 @@ namespace Biface
 
   namespace
   {
-    /** Whether a support of an edge of alpha_2 is equivalent to 'symmetry'. */
-    bool
-    is_symmetry(const std::vector<SupportCondition> &support)
-    {
-      if (support.size() != 2)
-        return false;
-      std::array<bool, 2> held{{false, false}};
-      for (const SupportCondition &condition : support)
-        for (unsigned int face = 0; face < 2; ++face)
-          if ((condition.component == Component::v_2 ||
-               condition.component == Component::circumferential) &&
-              condition.value == 0 && !condition.formula &&
-              condition.coefficients[face] == 1 &&
-              condition.coefficients[1 - face] == 0)
-            held[face] = true;
-      return held[0] && held[1];
-    }
-
-
     /** Whether an angle, in radians, is one of 0 and 90 degrees. */
     bool
     is_along_a_line(const double angle)
@@ -609,8 +590,7 @@ namespace Biface
       sentences.push_back("No stage has a 'Pressure', to which " +
                           in_quotes(of_pressure) + " would apply.");
 
-    if (!mesh.closed && is_symmetry(supports.edges[2]) &&
-        is_symmetry(supports.edges[3]))
+    if (!mesh.closed && supports.is_symmetric(2) && supports.is_symmetric(3))
       {
         const std::shared_ptr<const ReferenceSurface> made =
           make_surface(surface);
@@ -707,6 +687,12 @@ namespace Biface
     };
     for (const Imperfection::Table &table : surface.imperfection.tables)
       add_rows("Surface/Imperfection/Tables, " + table.file.name, table.rows);
+    for (const Imperfection::Series &series : surface.imperfection.series)
+      for (const auto &term : series.terms.get_terms())
+        for (const Point<2> &pair :
+             {Point<2>(term.k, term.l), Point<2>(term.A, term.B)})
+          pairs["Surface/Imperfection/Fourier series, " + series.file.name]
+            .push_back(pair);
     if (!surface.points_file.name.empty())
       pairs["Surface/Spline/File"] = surface.points_file.pairs;
     if (surface.mesh.mesh)
@@ -737,6 +723,8 @@ namespace Biface
     std::vector<std::string> names{surface.points_file.name, surface.mesh.name};
     for (const Imperfection::Table &table : surface.imperfection.tables)
       names.push_back(table.file.file_name);
+    for (const Imperfection::Series &series : surface.imperfection.series)
+      names.push_back(series.file.file_name);
     names.insert(names.end(), plies_files.begin(), plies_files.end());
     for (const TableFile &table : laminate.tables)
       names.push_back(table.file.name);

@@ -238,20 +238,24 @@ namespace Biface
             prm.leave_subsection();
             prm.leave_subsection();
           }
-      std::vector<NamedFile> charts;
-      for (const Imperfection::Table &table :
-           parameters.surface.imperfection.tables)
-        charts.push_back(table.file);
-      if (!charts.empty())
-        {
-          for (NamedFile &chart : charts)
-            make_absolute(chart.file_name);
-          prm.enter_subsection("Surface");
-          prm.enter_subsection("Imperfection");
-          prm.set("Tables", print_named_files(charts));
-          prm.leave_subsection();
-          prm.leave_subsection();
-        }
+      const auto set_named_files = [&](const std::string &entry,
+                                       const auto        &items) {
+        std::vector<NamedFile> files;
+        for (const auto &item : items)
+          {
+            files.push_back(item.file);
+            make_absolute(files.back().file_name);
+          }
+        if (files.empty())
+          return;
+        prm.enter_subsection("Surface");
+        prm.enter_subsection("Imperfection");
+        prm.set(entry, print_named_files(files));
+        prm.leave_subsection();
+        prm.leave_subsection();
+      };
+      set_named_files("Tables", parameters.surface.imperfection.tables);
+      set_named_files("Fourier series", parameters.surface.imperfection.series);
       std::vector<TableFile> tables = parameters.laminate.tables;
       if (!tables.empty())
         {

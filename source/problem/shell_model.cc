@@ -104,6 +104,35 @@ namespace Biface
   } // namespace
 
 
+  namespace
+  {
+    /** How the shell goes on beyond the edges of a grid. */
+    SectorOfShell
+    sector_of(const ReferenceSurface &surface,
+              const ChartGrid        &grid,
+              const Supports         &supports)
+    {
+      SectorOfShell sector;
+      if (!grid.has_lines())
+        return sector;
+      const auto [start, end] = surface.range();
+      for (unsigned int edge = 0; edge < supports.edges.size(); ++edge)
+        if (supports.is_symmetric(edge))
+          {
+            const std::vector<double> &lines = grid.lines[edge / 2];
+            const double line = edge % 2 == 0 ? lines.front() : lines.back();
+            if (edge < 2)
+              sector.planes[0].push_back((line - start) / (end - start));
+            else if (!grid.closed)
+              sector.planes[1].push_back(line);
+          }
+      if (supports.is_cyclic() && !grid.closed)
+        sector.period = grid.lines[1].back() - grid.lines[1].front();
+      return sector;
+    }
+  } // namespace
+
+
   std::shared_ptr<const ShellMesh>
   make_shell_mesh(const Parameters &parameters,
                   const MPI_Comm    communicator,
@@ -139,8 +168,10 @@ namespace Biface
                                       points,
                                       parameters.element.thickness_strain);
     if (!parameters.surface.imperfection.is_zero())
-      mesh->add_imperfection(
-        Imperfection(parameters.surface.imperfection, mesh->get_surface()));
+      mesh->add_imperfection(Imperfection(
+        parameters.surface.imperfection,
+        mesh->get_surface(),
+        sector_of(mesh->get_surface(), given, parameters.supports)));
     return mesh;
   }
 

@@ -30,19 +30,23 @@ namespace Biface
       std::vector<std::string> variables = variables_of_position;
       for (const Imperfection::Table &table : parameters.tables)
         variables.push_back(table.file.name);
+      for (const Imperfection::Series &series : parameters.series)
+        variables.push_back(series.file.name);
       return Formula(
         imperfection_section + "Formula", parameters.formula, variables);
     }
 
 
-    std::vector<Imperfection::Table>
-    parse_charts(const std::string &entry, const std::string &text)
+    /** Tables or series whose files are not read yet. */
+    template <typename Item>
+    std::vector<Item>
+    parse_files(const std::string &entry, const std::string &text)
     {
-      std::vector<Imperfection::Table> tables;
+      std::vector<Item> items;
       for (const NamedFile &file :
            parse_named_files(entry, text, variables_of_position))
-        tables.push_back({file, {}});
-      return tables;
+        items.push_back({file, {}});
+      return items;
     }
   } // namespace
 
@@ -61,8 +65,8 @@ namespace Biface
       },
       "The deviation of the stress-free shell from the surface, along the "
       "outward normal: a number or a formula of the position x, y, z on the "
-      "surface, of alpha_1, alpha_2 and of the 'Tables', such as 0.05*mode + "
-      "0.1*dent. It is zero where supports hold the shell along the normal, "
+      "surface, of alpha_1, alpha_2, of the 'Tables' and of the 'Fourier "
+      "series', such as 0.05*mode + 0.1*dent. It is zero where supports hold the shell along the normal, "
       "and at most " +
         number_to_string(GreatestDeviation::allowed) +
         " of the smaller radius of curvature. "
@@ -73,7 +77,7 @@ namespace Biface
       "Tables",
       "",
       tables,
-      parse_charts,
+      parse_files<Table>,
       "Tables for the formula: a list of 'name: file', separated by "
       "commas. Each CSV file has rows 'alpha_1, alpha_2, value' that "
       "form a rectangular grid, such as measured deviations, or the "
@@ -83,7 +87,26 @@ namespace Biface
       "first if the columns are about evenly spaced. Paths are relative "
       "to the parameter file; see 'Laminate/Tables' for names in "
       "double quotes.",
-      // the contents of the files are compared
+      // the contents of the files are compared, here and below
+      RestartChange::always);
+    add_parsed(
+      prm,
+      "Fourier series",
+      "",
+      series,
+      parse_files<Series>,
+      "Measured shapes of a surface of revolution for the formula: a list of "
+      "'name: file', separated by commas. Each CSV file has rows 'k, l, A, B' "
+      "of whole numbers k and l and coefficients, and the name stands for "
+      "the sum of cos(k pi x/L) (A cos(l alpha_2) + B sin(l alpha_2)), where "
+      "x/L is 0 at the smallest and 1 at the largest alpha_1 of the meridian "
+      "(-180 and 180 degrees of a circular arc), "
+      "wherever the mesh ends. The formula gives it unit and sign: "
+      "coefficients in thicknesses of a wall of 0.5, positive inward, "
+      "are -0.5*name. At edges with the support 'symmetry' each term must be "
+      "symmetric, and between 'cyclic' ones it must repeat. Paths are "
+      "relative to the parameter file; see 'Laminate/Tables' for names in "
+      "double quotes.",
       RestartChange::always);
   }
 
@@ -112,26 +135,50 @@ namespace Biface
                       3,
                       {"alpha_1", "alpha_2", "value"}))
         table.rows.emplace_back(row[0], row[1], row[2]);
+    for (Series &one : series)
+      one.terms = HalfWaveSeries(read_file(one.file.file_name, communicator),
+                                 one.file.file_name);
   }
 
 
   void
-  Imperfection::Parameters::check() const
+  Imperfection::Parameters::check(const bool on_revolution) const
   {
-    const auto used = formula_of(*this).used_names();
+    const std::string entry_of_series = imperfection_section + "Fourier series";
+    for (const Series &one : series)
+      {
+        if (!on_revolution)
+          throw InputError(entry_of_series,
+                           one.file.name,
+                           "it must be empty on a surface that is not a "
+                           "'surface of revolution'");
+        for (const Table &table : tables)
+          if (table.file.name == one.file.name)
+            throw InputError(entry_of_series,
+                             one.file.name,
+                             "the name must differ from those of the "
+                             "'Tables'");
+      }
+    const auto used      = formula_of(*this).used_names();
+    const auto check_use = [&used](const std::string &entry,
+                                   const NamedFile   &file) {
+      // without use it is rather a mistake in the formula
+      if (std::count(used.begin(), used.end(), file.name) == 0)
+        throw InputError(entry, file.name, "the 'Formula' must use this name");
+    };
     for (const Table &table : tables)
-      // a table without use is rather a mistake in the formula
-      if (std::count(used.begin(), used.end(), table.file.name) == 0)
-        throw InputError(imperfection_section + "Tables",
-                         table.file.name,
-                         "the 'Formula' must use this name");
+      check_use(imperfection_section + "Tables", table.file);
+    for (const Series &one : series)
+      check_use(entry_of_series, one.file);
   }
 
 
   Imperfection::Imperfection(const Parameters       &parameters,
-                             const ReferenceSurface &surface)
+                             const ReferenceSurface &surface,
+                             const SectorOfShell    &sector)
     : surface(surface)
     , formula(formula_of(parameters))
+    , series(parameters.series)
     , period(surface.get_periodicity()[1] / surface.coordinate_unit(1))
   {
     for (const Table &table : parameters.tables)
@@ -172,6 +219,8 @@ namespace Biface
            start,
            turn.back()});
       }
+    for (const Series &one : series)
+      sector.check(one.terms, one.file.file_name);
   }
 
 
@@ -192,6 +241,10 @@ namespace Biface
           }
         values.push_back(chart.values->value(at));
       }
+    const auto [start, end] = surface.range();
+    for (const Series &one : series)
+      values.push_back(
+        one.terms.value((alpha[0] - start) / (end - start), alpha[1]));
     return formula(values);
   }
 } // namespace Biface

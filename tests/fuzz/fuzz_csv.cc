@@ -8,6 +8,7 @@
 
 #include <biface/input/read_file.h>
 #include <biface/laminate/meridional_tables.h>
+#include <biface/surface/half_wave_series.h>
 #include <biface/surface/intervals.h>
 #include <biface/surface/spline_curve.h>
 
@@ -56,6 +57,7 @@ LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
       files, SurfaceOfPlies(), AngleReference::meridian);
     tables.function(parse_ply_formula("entry", "2*t"))(1.);
   });
+  Fuzz::read(input, [&]() { HalfWaveSeries(text, "series").value(0.5, 1); });
   Fuzz::read(input, [&]() { parse_intervals("entry", text).lines(); });
   return 0;
 }

@@ -14,6 +14,7 @@
 
 #include <biface/input/formula.h>
 #include <biface/input/named_files.h>
+#include <biface/surface/half_wave_series.h>
 #include <biface/surface/reference_surface.h>
 
 namespace Biface
@@ -23,8 +24,9 @@ namespace Biface
 
   /**
    * The deviation of the stress-free shell from its reference surface, along
-   * the outward normal: a formula of the position, and of tables of measured
-   * deviations or of the shapes in which the shell buckles.
+   * the outward normal: a formula of the position, of tables of measured
+   * deviations or of the shapes in which the shell buckles, and of Fourier
+   * series of measured shapes.
    */
   class Imperfection
   {
@@ -36,11 +38,19 @@ namespace Biface
       std::vector<dealii::Point<3>> rows;
     };
 
+    /** The Fourier series of a measured shape. */
+    struct Series
+    {
+      NamedFile      file;
+      HalfWaveSeries terms;
+    };
+
     struct Parameters
     {
       /** The formula of the deviation; 0 if there is none. */
-      std::string        formula = "0";
-      std::vector<Table> tables;
+      std::string         formula = "0";
+      std::vector<Table>  tables;
+      std::vector<Series> series;
 
       void
       add_parameters(EntryDeclarations &prm);
@@ -48,20 +58,27 @@ namespace Biface
       bool
       is_zero() const;
 
-      /** Read the tables. Must be called on all ranks. Throws InputError. */
+      /** Read tables and series. Must be called on all ranks. Throws
+       * InputError. */
       void
       read_files(const MPI_Comm communicator);
 
-      /** Check the formula and its tables. Throws InputError if the formula
-       * uses what it does not know, or if a table is not used. */
+      /** Check the formula, its tables and series. Throws InputError if the
+       * formula uses what it does not know, or if a table or a series is not
+       * used or not possible.
+       * @param on_revolution whether the surface is one of revolution. */
       void
-      check() const;
+      check(const bool on_revolution) const;
     };
 
     /** The deviation from a surface, which is kept by reference. Throws
      * InputError if the rows of a table are not those of a grid, see
-     * GridData. */
-    Imperfection(const Parameters &parameters, const ReferenceSurface &surface);
+     * GridData, or if a series does not go on beyond the edges as the shell
+     * does.
+     * @param sector how that is. */
+    Imperfection(const Parameters       &parameters,
+                 const ReferenceSurface &surface,
+                 const SectorOfShell    &sector);
 
     /** The deviation at a position with given coordinates. Throws InputError if
      * it is not a finite number. Unit: length. */
@@ -84,6 +101,7 @@ namespace Biface
     const ReferenceSurface &surface;
     Formula                 formula;
     std::vector<Chart>      charts;
+    std::vector<Series>     series;
     /** The period of the second coordinate in the user's unit; 0 for none. */
     double period;
   };

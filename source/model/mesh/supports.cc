@@ -246,6 +246,25 @@ namespace Biface
   }
 
 
+  bool
+  Supports::is_symmetric(const unsigned int edge) const
+  {
+    if (edges[edge].size() != 2)
+      return false;
+    std::array<bool, 2> held{{false, false}};
+    for (const SupportCondition &condition : edges[edge])
+      for (unsigned int face = 0; face < 2; ++face)
+        if ((condition.component == static_cast<Component>(edge / 2) ||
+             (edge / 2 == 1 &&
+              condition.component == Component::circumferential)) &&
+            condition.value == 0 && !condition.formula &&
+            condition.coefficients[face] == 1 &&
+            condition.coefficients[1 - face] == 0)
+          held[face] = true;
+    return held[0] && held[1];
+  }
+
+
   void
   Supports::check() const
   {

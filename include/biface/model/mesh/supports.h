@@ -109,6 +109,11 @@ namespace Biface
     void
     add_parameters(EntryDeclarations &prm);
 
+    /** Whether the support of an edge, by its position in @p edges, is
+     * equivalent to 'symmetry'. */
+    bool
+    is_symmetric(const unsigned int edge) const;
+
     /** Whether the edges of alpha_2 are coupled: both are cyclic. */
     bool
     is_cyclic() const
