@@ -12,19 +12,6 @@ namespace Biface
 {
   namespace
   {
-    /** The names in 'Load factors' of any stage. */
-    std::vector<std::string>
-    names_of_factors(const std::vector<Stage> &stages)
-    {
-      std::vector<std::string> result;
-      for (const Stage &stage : stages)
-        for (const auto &[name, factor] : stage.own_factors)
-          if (std::find(result.begin(), result.end(), name) == result.end())
-            result.push_back(name);
-      return result;
-    }
-
-
     std::string
     listed(const std::vector<std::string> &names)
     {
@@ -36,10 +23,10 @@ namespace Biface
 
 
     void
-    check_excitation(const std::string        &excitation,
-                     const std::string        &entry,
-                     const Stage              &stage,
-                     const std::vector<Stage> &stages)
+    check_excitation(const std::string                 &excitation,
+                     const std::string                 &entry,
+                     const Stage                       &stage,
+                     const std::vector<BodyParameters> &all_bodies)
     {
       if (const auto motion = StageResponse::motion(excitation))
         {
@@ -55,19 +42,22 @@ namespace Biface
                                listed(bodies).substr(2));
           return;
         }
+      if (excitation == "load factor" || excitation.rfind("bodies", 0) == 0)
+        for (const BodyParameters &body : all_bodies)
+          if (!body.motions.empty() &&
+              std::find(stage.bodies.begin(), stage.bodies.end(), body.name) !=
+                stage.bodies.end())
+            throw InputError(entry,
+                             excitation,
+                             "it would move the body '" + body.name +
+                               "'; name its motion '" + body.name +
+                               " x', y or z, and other loads by their own "
+                               "names");
       if (excitation == "pressure" && stage.sealed)
         throw InputError(entry,
                          excitation,
                          "with 'Gas = sealed' the pressure follows from the "
                          "volume");
-      const std::vector<std::string> names = names_of_factors(stages);
-      if (excitation != "pressure" && excitation != "load factor" &&
-          std::find(names.begin(), names.end(), excitation) == names.end())
-        throw InputError(entry,
-                         excitation,
-                         "it must be a motion such as 'ground z' or a load: "
-                         "'pressure', 'load factor'" +
-                           listed(names));
     }
   } // namespace
 
@@ -89,8 +79,9 @@ namespace Biface
                              "it must be empty " + why);
         };
         refuse(stage.inertia || stage.damping > 0,
-               std::string("with '") + (stage.inertia ? "Inertia" : "Damping") +
-                 "', with which the stage does not end in equilibrium");
+               std::string("with '") +
+                 (stage.inertia ? "Inertia = true" : "Damping") +
+                 "', since the stage does not end in equilibrium");
         refuse(rolls[i] && !stage.bodies.empty(),
                "where a wheel rolls and touches other bodies than the ground");
         refuse(rolls[i] && stage.contact &&
@@ -103,7 +94,7 @@ namespace Biface
                      "where the wheel rolls or spins with the material '" +
                        material.name + "', whose stresses relax");
         for (const std::string &excitation : stage.excitations)
-          check_excitation(excitation, section + "/Excitations", stage, stages);
+          check_excitation(excitation, section + "/Excitations", stage, bodies);
       }
   }
 } // namespace Biface

@@ -188,12 +188,13 @@ namespace Biface
     for (unsigned int i = 0; i < stages.size(); ++i)
       for (const auto &factor : stages[i].own_factors)
         {
-          const std::string &name = factor.first;
+          const std::string &name    = factor.first;
+          const std::string  section = "Stage " + std::to_string(i + 1);
           if (known.count(name) == 0)
             throw InputError(
-              stages[i].has_history(name)
-                ? "Stage " + std::to_string(i + 1) + "/Load history"
-                : entry(i),
+              stages[i].has_history(name)     ? section + "/Load history"
+              : stages[i].is_excited_by(name) ? section + "/Excitations"
+                                              : entry(i),
               name,
               items.empty()
                 ? "there are no loads, except the pressure, no "
@@ -201,6 +202,9 @@ namespace Biface
                 : std::string("it must be ") +
                     (stages[i].has_history(name)
                        ? "'pressure', 'travel', 'turn', 'load factor' or "
+                     : stages[i].is_excited_by(name)
+                       ? "a motion such as 'ground z', 'pressure', 'load "
+                         "factor' or "
                        : "") +
                     "one of " + in_words(items));
           positions[name] = 0;

@@ -427,6 +427,7 @@ namespace Biface
           Stage &stage = parameters.stages[i];
           stage.StageMotion::complete(
             "Stage " + std::to_string(i + 1), stage, stage);
+          stage.StageResponse::complete(stage);
         }
       parameters.assign_load_factors();
       for (BodyParameters &body : parameters.bodies)

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <algorithm>
 #include <set>
 
 #include <biface/base/errors.h>
 #include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/stepping/stage_loads.h>
 #include <biface/stepping/stage_response.h>
 
 namespace Biface
@@ -54,6 +56,41 @@ namespace Biface
       return {};
     return std::make_pair(excitation.substr(0, blank),
                           static_cast<unsigned int>(direction));
+  }
+
+
+  bool
+  StageResponse::is_excited_by(const std::string &name) const
+  {
+    return std::find(excitations.begin(), excitations.end(), name) !=
+           excitations.end();
+  }
+
+
+  void
+  StageResponse::complete(StageLoads &loads) const
+  {
+    for (const std::string &name : excitations)
+      {
+        if (motion(name) || name == "pressure" || name == "load factor")
+          continue;
+        // the factor of the longest name that includes these loads, or the
+        // common one
+        std::optional<double> factor  = loads.common_factor;
+        std::size_t           longest = 0;
+        bool                  has_own = false;
+        for (const auto &[other, of_other] : loads.own_factors)
+          {
+            has_own = has_own || other == name;
+            if (name.rfind(other + " ", 0) == 0 && other.size() > longest)
+              {
+                longest = other.size();
+                factor  = of_other;
+              }
+          }
+        if (!has_own)
+          loads.own_factors.emplace_back(name, factor);
+      }
   }
 
 

@@ -71,6 +71,10 @@ namespace
                            {"Stage 1/Duration", "1"},
                            {"Material rubber/Density", "1"}};
 
+  const Settings shaken{{"Stage 1/Frequency response", "1"},
+                        {"Stage 1/Excitations", "load factor"},
+                        {"Material rubber/Density", "1"}};
+
   const Settings cords_in_neo_Hooke{
     {"Material rubber/Type", "transversely isotropic"},
     {"Material rubber/Matrix", "neo-Hooke"},
@@ -612,8 +616,25 @@ namespace
         "flow: t",
         "load factor: 1/0"},
        in_motion}}},
-    {"Stage 1/Mass damping", {{{"1", "-1"}}, {{"-1"}, in_motion}}},
-    {"Stage 1/Stiffness damping", {{{"1", "-1"}}, {{"-1"}, in_motion}}},
+    {"Stage 1/Mass damping",
+     {{{"1", "-1"}}, {{"-1"}, in_motion}, {{"-1"}, shaken}}},
+    {"Stage 1/Stiffness damping",
+     {{{"1", "-1"}}, {{"-1"}, in_motion}, {{"-1"}, shaken}}},
+    {"Stage 1/Frequency response",
+     {{{"1", "-1", "q"}}, {{"-1", "1:2", "1:2:0", "nan", "1e999"}, shaken}}},
+    {"Stage 1/Excitations",
+     {{{"load factor"}},
+      {{"",
+        "ground",
+        "ground x",
+        "supports w",
+        "nothing x",
+        "load factor, load factor",
+        "load factor,"},
+       shaken}}},
+    {"Stage 1/Loss factor", {{{"0.1", "-1"}}, {{"-1", "3"}, shaken}}},
+    {"Gas/Sound speed", {{{"0", "-1", "1"}}}},
+    {"Gas/Adiabatic exponent", {{{"0", "-1"}}}},
     {"Stage 1/Numerical damping", {{{"1", "-1"}}, {{"-1", "3"}, in_motion}}},
     {"Stage 1/Contact damping", {{{"1", "-1"}}, {{"-1", "2"}, in_motion}}},
     {"Material rubber/Matrix", {{{"neo-Hooke"}}}},

@@ -11,6 +11,7 @@
 namespace Biface
 {
   class EntryDeclarations;
+  struct StageLoads;
 
 
   /** The steady response to harmonic excitations that is computed at the end of
@@ -40,8 +41,17 @@ namespace Biface
     static std::optional<std::pair<std::string, unsigned int>>
     motion(const std::string &excitation);
 
+    /** Whether an excitation has this name. */
+    bool
+    is_excited_by(const std::string &name) const;
+
     void
     add_parameters(EntryDeclarations &prm);
+
+    /** Give the loads that excite factors of their own, which change nothing.
+     */
+    void
+    complete(StageLoads &loads) const;
 
     /** Throws InputError if a value is invalid. */
     void
