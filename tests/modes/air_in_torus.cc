@@ -21,7 +21,7 @@ namespace
   modes(const std::vector<Override> &changes)
   {
     std::vector<Override> overrides{"Material cord/Density=1.2e-9",
-                                    "Mesh/Intervals alpha_1=-120:120:24",
+                                    "Mesh/Intervals alpha_1=-120:120:16",
                                     "Mesh/Intervals alpha_2=-180:180:20",
                                     "Gas/Ambient pressure=0.1",
                                     "Loads/Pressure type=follower",
