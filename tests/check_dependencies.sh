@@ -34,11 +34,12 @@ may_include_in_model()
   case $1 in
     mesh) echo ;;
     state) echo mesh ;;
-    forces) echo mesh state ;;
-    contact) echo mesh state forces ;;
-    equations) echo mesh state forces contact ;;
-    quantities) echo mesh state forces contact equations ;;
-    heat | time) echo mesh state forces contact equations quantities ;;
+    air) echo mesh state ;;
+    forces) echo mesh state air ;;
+    contact) echo mesh state air forces ;;
+    equations) echo mesh state air forces contact ;;
+    quantities) echo mesh state air forces contact equations ;;
+    heat | time) echo mesh state air forces contact equations quantities ;;
     *) return 1 ;;
   esac
 }

@@ -133,7 +133,7 @@ namespace Biface
       return plies;
     }
 
-    /** The same stack with other laws of its plies, whose number and thickness
+    /** This stack with other laws of its plies, whose number and thickness
      * are the same. In a layer of a wall, the transverse shear stresses keep
      * their distribution over the wall. */
     Laminate

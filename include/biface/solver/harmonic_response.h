@@ -60,8 +60,8 @@ namespace Biface
     std::vector<Output>      outputs;
     /** Unit: 1/time. */
     std::vector<double> frequencies;
-    /** By the frequency, the excitation and the output; nan where a system was
-     * not solved. */
+    /** The amplitudes by the frequency, the excitation and the output; nan
+     * where a system was not solved. */
     std::vector<std::vector<std::vector<Value>>> values;
     /** The number of frequencies at which a system was not solved. */
     unsigned int n_failed = 0;
