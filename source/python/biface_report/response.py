@@ -23,7 +23,7 @@ NAME = "Frequency response"
 MAXIMUM_EXCITATIONS = 6
 # With so few frequencies, each has a dot
 FEW = 30
-# Degrees of a phase
+# Degrees up to which a curve of phases goes on beyond 180
 FARTHEST = 200
 # Parts of the largest magnitude below this are left out of a chart
 LOWEST = 1e-6
@@ -224,7 +224,7 @@ def draw(run, found, curves, y_label):
     below.set(ylabel="phase [degrees]", ylim=(-FARTHEST, FARTHEST),
               yticks=np.arange(-180, 181, 90),
               xlabel=units_of(run).label("frequency", "frequency"))
-    if len(frequencies) > 1:
+    if frequencies[0] < frequencies[-1]:
         below.set_xlim(frequencies[0], frequencies[-1])
     legend_below(below)
     return drawing
