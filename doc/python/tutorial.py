@@ -56,7 +56,9 @@ results.history.to_pandas()[columns].round(3)
 # The other files are methods: `contact()`, `profile()` and `plies()` of a step, `forces()`,
 # `probes()`, `stiffness()`, `modes()`, `rolling()` and so on of all steps, `vtu()` for what
 # ParaView shows. A table has `where` to choose rows, and `row` and `rows` for one or all
-# of them.
+# of them. `response()` has complex columns `x`, `y` and `z` in place of the real and
+# imaginary ones of its file: `response().where(excitation="ground z", output="foundation")`
+# are the forces of the ground over `["frequency"]`.
 
 # %%
 ground = results.forces().where(body="foundation").row(-1)

@@ -23,7 +23,7 @@ for name, table in (
                 check(str(row[column]) == (text or "nan"), f"{row[column]}: {text}")
             else:
                 check_equal(row[column], float(text), f"{column} of {name}")
-for name in ("buckling", "critical_points", "rolling", "hysteresis", "heat"):
+for name in ("buckling", "critical_points", "rolling", "hysteresis", "heat", "response"):
     check(getattr(results, name)() is None, f"there is a table {name}")
 faces = results.vtu(step=2)
 check(len(faces["connectivity"]) == 2 * 4 * 14 * 14, "the faces are not all cells")

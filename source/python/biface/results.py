@@ -38,6 +38,9 @@ STIFFNESS_COLUMNS = ("step", "stage", "pressure", "force", "approach", "motion",
 MODE_COLUMNS = ("step", "mode", "stage", "frequency", "growth_rate",
                 "effective_mass_x", "effective_mass_y", "effective_mass_z",
                 "total_mass")
+RESPONSE_COLUMNS = ("step", "stage", "excitation", "frequency", "output", "kind",
+                    "x_real", "x_imaginary", "y_real", "y_imaginary", "z_real",
+                    "z_imaginary")
 BUCKLING_COLUMNS = ("step", "mode", "stage", "factor", "pressure", "load_factor",
                     "approach")
 CRITICAL_COLUMNS = ("step", "stage", "kind", "located", "negative_pivots_before",
@@ -232,6 +235,22 @@ class Results:
     def modes(self) -> Table | None:
         """modes.csv: natural frequencies."""
         return self._growing_table("modes.csv", MODE_COLUMNS)
+
+    def response(self) -> Table | None:
+        """response.csv: the steady response to excitations of amplitude 1 at the ends of
+        stages, a row for each excitation, output and frequency.
+
+        Its real and imaginary parts are here one complex column for each of x, y and z:
+        amplitudes of exp(i omega t), displacements of the faces of named points, of the
+        kind "inner" or "outer", and forces, of the kind "force", in units of length and
+        force per unit of the excitation. NaN where the program found none."""
+        table = self._growing_table("response.csv", RESPONSE_COLUMNS)
+        if table is None:
+            return None
+        columns = dict(table)
+        for i in "xyz":
+            columns[i] = columns.pop(f"{i}_real") + 1j * columns.pop(f"{i}_imaginary")
+        return Table(columns)
 
     def buckling(self) -> Table | None:
         """buckling.csv: predicted buckling loads."""

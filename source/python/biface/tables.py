@@ -11,11 +11,12 @@ import numpy as np
 from .errors import BifaceError
 
 # Columns of numbers that may be NaN
-UNDEFINED = ("logarithmic_derivative",)
+UNDEFINED = ("logarithmic_derivative", "x_real", "x_imaginary", "y_real", "y_imaginary",
+             "z_real", "z_imaginary")
 
 # Columns of text
 WORDS = ("stage", "name", "face", "material", "body", "motion", "kind", "located",
-         "entry", "output", "status", "axes")
+         "entry", "output", "status", "axes", "excitation")
 
 
 class Table(dict):

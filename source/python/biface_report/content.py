@@ -18,6 +18,7 @@ from .motion import motion, moves
 from .page import (LeftOut, Section, count, details, figure, missing, number,
                    page, plain_number, table)
 from .point_content import ply_stresses, points
+from .response import response
 from .rolling import rolling
 from .section import (SectionPlane, across_coordinate_line, is_straight,
                       section_around)
@@ -37,7 +38,7 @@ def report(run):
     parts = [summary(run, footprint), view.shell(run), motion(run), curve(run),
              footprint_map(run, footprint), stick_slip(run, footprint),
              wheel_forces(run), tire_test(run), rolling(run), stiffness(run),
-             sections_of_shell(run), modes(run), buckling(run),
+             sections_of_shell(run), modes(run), response(run), buckling(run),
              critical_points(run), sensitivities(run), points(run), iterations(run),
              ply_stresses(run), input_of_run(run)]
     sections = [part for part in parts if isinstance(part, Section)]

@@ -10,6 +10,8 @@ from .page import (LeftOut, Section, count, details, number, paragraph, plain_nu
 from .shapes import pictures_of
 from .units import units_of
 
+# A smaller part of the kinetic energy in the air is not worth a column
+LITTLE_AIR = 1e-6
 # Frequencies are square roots of numbers that are exact to about ten digits
 RIGID = 1e-4
 
@@ -25,6 +27,9 @@ def modes(run):
     # traveling waves of wheels that roll or spin
     travel = found.get("travel", np.zeros(len(found)))
     travels = (np.nan_to_num(travel) != 0).any()
+    # the air in a tire moves with it
+    part_of_air = found.get("part_of_air", np.zeros(len(found)))
+    has_air = (part_of_air > LITTLE_AIR).any()
     is_rigid, units = rigid_motions(found), units_of(run)
     rows = []
     for i in range(len(found)):
@@ -38,14 +43,16 @@ def modes(run):
                     ("circumferential_waves", "meridional_half_waves")]
         if travels:
             row.append(plain_number(np.round(travel[i], 2)))
+        if has_air:
+            row.append(percent(part_of_air[i]))
         total = found["total_mass"][i]
-        row += [f"{100 * found['effective_mass_' + axis][i] / total:.1f}\u00a0%"
-                for axis in "xyz"]
+        row += [percent(found[f"effective_mass_{axis}"][i] / total) for axis in "xyz"]
         rows.append(row)
     heads = (["Stage", "Mode", "Frequency"] + (["Growth rate"] if grows else [])
              + (["Waves around", "Half waves along the meridian"]
                 if turns else [])
              + (["Travel"] if travels else [])
+             + (["Part of the air"] if has_air else [])
              + [f"Effective mass, {axis}" for axis in "xyz"])
     text = paragraph(
         f"Natural frequencies [{units['frequency']}] of the loaded shell at the end of "
@@ -53,7 +60,8 @@ def modes(run):
         f"{plain_number(found['total_mass'][-1])}"
         + (f"\u00a0{units['mass']}" if units.are_named else "") + "."
         + (" Travel: 1 for waves in the direction in which the wheel turns, -1 for "
-           "those against it." if travels else ""))
+           "those against it." if travels else "")
+        + (" Part of the air: its part of the kinetic energy." if has_air else ""))
     all_modes = table("Modes, from modes.csv", heads, rows)
     last = found["step"] == found["step"][-1]
     if (is_rigid & last).any():
@@ -72,6 +80,11 @@ def modes(run):
         return Section("modes", name, all_modes + text, True)
     return Section("modes", name, pictures + "\n" + text + details(
         "All modes", all_modes), True)
+
+
+def percent(part):
+    """A part of 1 in percent; a dash for one that is not known."""
+    return f"{100 * part:.1f}\u00a0%" if np.isfinite(part) else "–"
 
 
 def rigid_motions(found):

@@ -42,6 +42,11 @@ class Units:
         own = tuple(name for name, power in zip(self.names, exponents) if power)
         return NAMES.get(kind, {}).get(own) or product(self.names, exponents)
 
+    def per(self, kind, other):
+        """The unit of a quotient of two kinds of quantities, such as N/MPa."""
+        divisor = self[other]
+        return f"{self[kind]}/" + (f"({divisor})" if "/" in divisor else divisor)
+
     def label(self, name, kind):
         """The name of a quantity with its unit, for an axis."""
         return f"{name} [{self[kind]}]" if kind else name
