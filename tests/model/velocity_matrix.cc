@@ -66,8 +66,9 @@ namespace
     contact.settle(state, loads);
     const unsigned int n_active = contact.count_active(state);
 
-    const VelocityMatrix damping(contact, state, loads);
-    double               deviation = 0, scale = 0;
+    const VelocityMatrix damping(
+      contact, state, loads, contact.mesh.constraints);
+    double deviation = 0, scale = 0;
     for (unsigned int d = 0; d < 3; ++d)
       {
         const double step = 1e-3;
@@ -90,9 +91,10 @@ namespace
     const ContactInteraction no_friction(*heavy, parameters);
     loads.place(
       0, {*loads.ground(), ContactLaws(contact.ground().laws().condition())});
-    const VelocityMatrix gyroscopic(no_friction, State(*heavy), loads);
-    const LA::Vector     x = some_displacement(*heavy, 1, 4),
-                     y     = some_displacement(*heavy, 1, 9);
+    const VelocityMatrix gyroscopic(
+      no_friction, State(*heavy), loads, no_friction.mesh.constraints);
+    const LA::Vector x = some_displacement(*heavy, 1, 4),
+                     y = some_displacement(*heavy, 1, 9);
     LA::Vector Gx(heavy->owned_vector()), Gy(Gx);
     gyroscopic.vmult(Gx, x);
     gyroscopic.vmult(Gy, y);
