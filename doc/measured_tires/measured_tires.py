@@ -18,7 +18,9 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
 sys.path.insert(0, str(HERE.parent / "real_tires"))
 from example_page import EXAMPLES, biface, parse_arguments, table
-from radial_tire import RadialTire
+import radial_tire
+from biface_tire.radial import RadialTire
+from biface_tire.size import read_databook
 from real_tires import Construction, find_row, read_table
 
 QUIET = {"Output/Write VTU": False}
@@ -60,7 +62,7 @@ SLIP_ANGLE = 0.5
 def radial_settings(tire, directory, tread=True):
     """The entries of prm/radial_tire.prm for a tire by the rules."""
     directory.mkdir(parents=True, exist_ok=True)
-    tire.write(directory, tread=tread)
+    radial_tire.write(tire, directory, tread=tread)
     return {"Surface/Spline/File": directory / "radial_tire_profile.csv",
             "Laminate/Plies file": directory / "radial_tire_plies.csv",
             **tire.settings()}
@@ -208,8 +210,7 @@ def radial_model(run, bristles, output):
 def aircraft_tire():
     """The tire of the .tir file, and its entries with a tread of bristles in place of
     a ply, in the shape under pressure."""
-    tire = Construction(find_row(
-        read_table(HERE.parent / "real_tires/aircraft_tires.csv"), AIRCRAFT))
+    tire = Construction(find_row(read_databook(), AIRCRAFT))
     return tire, {**{entry: value for entry, value in tire.cornering_settings().items()
                      if not entry.startswith("Stage") or entry == "Stage 1/Pressure"},
                   "Stage 2/Pressure": f"{tire.pressure:.10g}"}
@@ -263,7 +264,7 @@ def deep_tires(run):
     """Tires of the databook under twice the rated load."""
     results = []
     bottoming = {row["name"]: row for row in read_table(HERE / "bottoming.csv")}
-    for row in read_table(HERE.parent / "real_tires/aircraft_tires.csv"):
+    for row in read_databook():
         tire = Construction(row)
 
         def is_enough(line, load=2000 * tire.load):
