@@ -13,6 +13,7 @@ MADE_BY = "Made by: "
 # The mass of a tread of bristles, which have none, is that of a thin ply in their place
 THINNER = 40
 
+TOUCH = 0.4    # of the deflection, by which the ground is pressed on before the load
 CORNER = 0.06  # least radius of curvature at the edge of the belts, over the tire's
 GROWTH = 1.1   # of the cells around the axle from the footprint on
 MODES = 10
@@ -319,7 +320,7 @@ class ParameterFile:
         pressure = ("Pressure", f"{design.pressure:.6g}")
         force = f"{design.load:.6g}"
         slide = f"{max(design.deflection / 100, 1e-3):.4g}"
-        count = 2 if self.is_test else 6 if is_layer else 7
+        count = 2 if self.is_test else 7 if is_layer else 8
         yield f"set Number of stages = {count}"
         yield "# Finds the tensions; the shape is that under pressure.\n" + section(
             "Stage 1", ("Name", "inflation"), pressure)
@@ -337,20 +338,24 @@ class ParameterFile:
             return
         friction = [] if is_layer else [
             "A wheel that rolls later has no history of friction.", ("Friction", 0)]
-        yield "# The load, under which the travel of the ground is found.\n" + section(
-            "Stage 3", ("Name", "load"), ("Contact", "true"),
-            ("Control", "foundation force"), ("Force", force), ("Steps", 4), *friction)
+        yield ("# The ground is pressed on, by a part of what it will go, then by the "
+               "load.\n" + section(
+                   "Stage 3", ("Name", "touch"), ("Contact", "true"),
+                   ("Travel", f"{TOUCH * design.deflection:.4g}"), ("Steps", 2), *friction))
+        yield section(
+            "Stage 4", ("Name", "load"), ("Contact", "true"),
+            ("Control", "foundation force"), ("Force", force), ("Steps", 3))
         yield comment("Stiffnesses without slip: the ground slides across and along by 1 % "
                       f"of the deflection, and turns by {TURN:g}°.")
         for number, (name, motion) in enumerate((
                 ("lateral", ("Slide", f"0, {slide}, 0")),
                 ("longitudinal", ("Slide", f"0, 0, {slide}")),
-                ("turn", ("Turn", f"{TURN:g}"))), start=4):
-            yield section(f"Stage {number}", ("Name", name), ("Start from", 3),
+                ("turn", ("Turn", f"{TURN:g}"))), start=5):
+            yield section(f"Stage {number}", ("Name", name), ("Start from", 4),
                           ("Contact", "true"), ("Glued", "true"), motion)
         if not is_layer:
             yield f"# Rolls freely at {design.speed:g} km/h under the load.\n" + section(
-                "Stage 7", ("Name", "rolling"), ("Start from", 3), ("Contact", "true"),
+                "Stage 8", ("Name", "rolling"), ("Start from", 4), ("Contact", "true"),
                 ("Friction", f"{FRICTION:g}"),
                 ("Control", "foundation force and axle moment"), ("Force", force),
                 ("Ground velocity", f"{design.speed / 0.0036:.6g}   # mm/s"))

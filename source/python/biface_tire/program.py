@@ -174,8 +174,9 @@ def main(words=None):
         given = command_of(arguments.directory)
         if given[:2] != [COMMAND, "new"]:
             raise BifaceError(f"{arguments.directory / NAME} was not made by {COMMAND} new.")
-        design = make_design(parser.parse_args(given[1:]))
-        result = judge(design, arguments.results or arguments.directory / RESULTS)
+        made = parser.parse_args(given[1:])
+        result = judge(make_design(made), arguments.results or
+                       arguments.directory / RESULTS, made.tread)
         print(text.judgment(result), end="")
         return 1 if result.warnings else 0
     except BifaceError as error:

@@ -45,5 +45,5 @@ def judgment(result):
                       + (f"{line.other:10.5g}{line.ratio:8.2f}  {line.source}"
                          + (f" (usual: {line.range[0]:g} to {line.range[1]:g})"
                             if line.range else "") if known else "")).rstrip())
-    return "\n".join([*lines, *(wrapped("warning: " + text)
-                                for text in result.warnings)]) + "\n"
+    return "\n".join([*lines, *notes(design.warnings), *(
+        wrapped("warning: " + text) for text in result.warnings)]) + "\n"
