@@ -1,15 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A measured contour of an inflated tire, and the outer side of its carcass inside it."""
+"""A measured contour of an inflated tire: the outer side of its carcass."""
 
 from pathlib import Path
 
 import numpy as np
-from scipy.interpolate import CubicSpline
 
 from biface.errors import BifaceError
 
 COLUMNS = ("radius", "axial coordinate")
-FEWEST, POINTS = 9, 161
+FEWEST = 9
 
 
 def read_contour(path):
@@ -56,23 +55,4 @@ def read_contour(path):
     if result[:, 0].argmax() in (0, len(result) - 1):
         raise BifaceError(f"{path} has its largest radius at an end, but must go over the "
                           "crown.")
-    return result
-
-
-def inside(contour, thickness):
-    """Points inside a contour, at a distance along its normals: thickness is a function
-    of the part of the half length, 0 at the middle and 1 at both ends, to mm. Raises
-    ValueError if the contour is too curved for it."""
-    steps = np.linalg.norm(np.diff(contour, axis=0), axis=1)
-    length = np.concatenate([[0], np.cumsum(steps)])
-    curve = CubicSpline(length, contour)
-    at = np.linspace(0, length[-1], POINTS)
-    tangent = curve(at, 1)
-    tangent /= np.linalg.norm(tangent, axis=1)[:, None]
-    # from the left over the crown the outer normal is on the left of the direction
-    normal = np.column_stack([tangent[:, 1], -tangent[:, 0]])
-    depth = thickness(np.abs(2 * at / length[-1] - 1))
-    result = curve(at) - depth[:, None] * normal
-    if (np.sum(np.diff(result, axis=0) * tangent[:-1], axis=1) <= 0).any():
-        raise ValueError("the contour is too curved for the rubber outside the carcass")
     return result

@@ -11,7 +11,7 @@ import numpy as np
 from biface.errors import BifaceError
 from . import nasa
 from .bias import AIRCRAFT, BICYCLE, BURST, CASING_ANGLE, BiasTire
-from .contour import inside, read_contour
+from .contour import read_contour
 from .cords import (NYLON_CAP, POLYESTER, STEEL_BELT, STEEL_CARCASS, STEEL_TRUCK_BELT,
                     TEXTILE_BELT, Cord)
 from .radial import RadialTire, write_profile
@@ -91,7 +91,7 @@ class Options:
     pressure, load       MPa, N
     plies                number of plies of the carcass
     diameter, width      measured outer dimensions on this rim, mm
-    contour              CSV file of a measured contour, see contour.py
+    contour              CSV file of the carcass's outer side, see contour.py
     kind                 of the rules, see size.KINDS
     speed                km/h, at which the tire rolls
     """
@@ -214,7 +214,7 @@ class Design:
         self.contour = read_contour(options.contour) if options.contour else None
         given = (options.diameter, options.width)
         if self.contour is not None:
-            given = 2 * self.contour[:, 0].max(), float(np.ptp(self.contour[:, 1]))
+            given = self.around(self.contour)
         self.diameter = given[0] or size.diameter
         self.width = given[1] or size.width_on(self.rim_width)
         self.height = (self.diameter - self.rim_diameter) / 2
@@ -388,8 +388,7 @@ class Design:
         return tire
 
     def fit_contour(self):
-        """The outer side of the carcass inside a measured contour."""
-        self.profile = None
+        """Takes a measured contour in place of that of the rules."""
         if self.contour is None:
             return
         tire, ends = self.tire, self.contour[[0, -1], 0]
@@ -398,33 +397,27 @@ class Design:
                 f"{self.options.contour} ends at the radii {ends[0]:.4g} and {ends[1]:.4g} "
                 f"mm, but must end near the flanges, at the radius {tire.end:.4g} mm.")
         if self.is_radial:
-            edge = (tire.tread_edge + tire.taper, tire.taper)
-            half = np.sum(np.linalg.norm(np.diff(self.contour, axis=0), axis=1)) / 2
-
-            def rubber(part):
-                on_tread = np.clip((edge[0] - part * half) / edge[1], 0, 1)
-                return tire.sidewall + (tire.tread_height - 0.5 + tire.cap + len(tire.belts)
-                                        * tire.belt - tire.sidewall + 0.5) * on_tread
-        else:
-            def rubber(part):
-                return tire.rules.sidewall + (tire.tread - tire.rules.sidewall) * np.clip(
-                    3 - 5 * part, 0, 1)
-        try:
-            self.profile = inside(self.contour, rubber)
-        except ValueError as error:
-            raise BifaceError(f"{self.options.contour} cannot be used: {error}.") from error
-        if self.is_radial:
-            tire.use_profile(self.profile)
+            tire.use_profile(self.contour)
         self.add("contour", f"{len(self.contour)} points", str(self.options.contour))
+
+    def around(self, contour):
+        """Outer diameter and width of a tire with a contour of its carcass."""
+        crown, width = contour[:, 0].max(), float(np.ptp(contour[:, 1]))
+        if not self.is_radial:
+            rules = BICYCLE if self.is_bicycle else AIRCRAFT
+            width += 2 * rules.sidewall
+            return 2 * (crown + rules.tread(width)), width
+        tire = RadialTire(**RADIAL.get(self.size.kind, RADIAL["light truck"]).more)
+        return (2 * (crown + tire.radius - tire.crown), width + 2 * tire.sidewall)
 
     @property
     def has_profile(self):
         """Whether the meridian is one of points in a file."""
-        return self.is_radial or self.profile is not None
+        return self.is_radial or self.contour is not None
 
     def write_profile(self, path):
         """Writes these points as CSV."""
-        points = self.tire.profile()[0] if self.profile is None else self.profile
+        points = self.tire.profile()[0] if self.contour is None else self.contour
         write_profile(path, points, [
             f"The outer side of the carcass of {self.size.text} when inflated, from the",
             "left flange over the crown to the right one. Unit: mm."])

@@ -49,7 +49,7 @@ class Mesh:
         else:
             # turn-ups end at a quarter of the sidewall's lines, at 0.7
             intervals = [("-end:-0.6*end", 8), ("-0.6*end:0.6*end", 24),
-                         ("0.6*end:end", 8)] if design.profile is None else [
+                         ("0.6*end:end", 8)] if design.contour is None else [
                              ("0:0.2*end", 8), ("0.2*end:0.8*end", 24), ("0.8*end:end", 8)]
         counts = []
         for _, count in intervals:
@@ -155,15 +155,20 @@ class ParameterFile:
     def surface(self):
         """The meridian."""
         tire = self.design.tire
+        if self.design.contour is not None:
+            yield "# The measured contour, the outer side of the carcass.\n" + nested(
+                "Surface", [("Type", "surface of revolution"), ("Meridian", "spline")],
+                section("Spline", ("File", PROFILE)))
+            return
         if self.design.is_radial:
-            yield comment("The outer side of the carcass: an arc under the belts, and "
-                          "beside it the curve in which cords along the meridian carry "
-                          "the pressure.")
+            words = comment("The outer side of the carcass: an arc under the belts, and "
+                            "beside it the curve in which cords along the meridian carry "
+                            "the pressure.")
             corner = ([("Corner radius", f"{CORNER * tire.radius:.4g}")]
                       if abs(tire.kink) > 15 else [])
-            yield nested("Surface", [("Type", "surface of revolution"),
-                                     ("Meridian", "spline")],
-                         section("Spline", ("File", PROFILE), *corner))
+            yield words + "\n" + nested(
+                "Surface", [("Type", "surface of revolution"), ("Meridian", "spline")],
+                section("Spline", ("File", PROFILE), *corner))
             return
         angle = ([("Crown cord angle", f"{tire.curve.degrees:.10g}")]
                  if self.design.is_bicycle else
@@ -173,14 +178,15 @@ class ParameterFile:
             "Cord equilibrium", ("Crown radius", f"{tire.crown:.10g}"),
             ("Half width", f"{tire.half_width:.10g}"), ("End radius", f"{tire.end:.10g}"),
             *angle)
-        yield comment("The middle of the carcass. Its crossed cords carry the pressure, so "
+        words = comment("The middle of the carcass. Its crossed cords carry the pressure, so "
                       "that its shape follows from its radius and width, and the angle of "
                       "the cords from where it must end, at the flange."
                       if not self.design.is_bicycle else
                       "The middle of the casing, in which crossed cords carry the "
                       "pressure. It leaves the flange where it is as wide as the rim.")
-        yield nested("Surface", [("Type", "surface of revolution"),
-                                 ("Meridian", "cord equilibrium")], inner)
+        yield words + "\n" + nested(
+            "Surface", [("Type", "surface of revolution"),
+                        ("Meridian", "cord equilibrium")], inner)
 
     def mesh_section(self):
         """The mesh."""
@@ -261,7 +267,7 @@ class ParameterFile:
             plies = tire.layup() if is_layer else (
                 tire.layup(tread=0).rsplit(" + 0*", 1)[0] + " @ 0, mass of tread: "
                 f"0.01 + {height:.6g}*min(1, max(0, 3 - 5*abs(alpha_1)/end)) @ 0")
-            return plies if self.design.profile is None else self.from_end(plies)
+            return plies if self.design.contour is None else self.from_end(plies)
         lines = tire.plies(is_layer)
         words = [f"{line[0]}: {line[1]} @ {line[2]}"
                  + (f" from {line[3]} to {line[4]}" if len(line) > 3 else "")
@@ -289,7 +295,7 @@ class ParameterFile:
                                 "cap, sidewall"), f"ply {1 + tire.carcass_plies}"
         else:
             words, reference = "liner, carcass, turn-ups, sidewall", \
-                f"ply {1 + tire.plies // (2 if self.design.profile is None else 1)}"
+                f"ply {1 + tire.plies // (2 if self.design.contour is None else 1)}"
         layers = f"{tire.inner_plies}, {2 if self.design.is_radial else 1}" \
             if self.tread == "layer" else "one"
         if self.tread == "layer":
@@ -345,14 +351,16 @@ class ParameterFile:
         yield section(
             "Stage 4", ("Name", "load"), ("Contact", "true"),
             ("Control", "foundation force"), ("Force", force), ("Steps", 3))
-        yield comment("Stiffnesses without slip: the ground slides across and along by 1 % "
-                      f"of the deflection, and turns by {TURN:g}°.")
+        words = comment("Stiffnesses without slip: the ground slides across and along by "
+                        f"1 % of the deflection, and turns by {TURN:g}°.") + "\n"
         for number, (name, motion) in enumerate((
                 ("lateral", ("Slide", f"0, {slide}, 0")),
                 ("longitudinal", ("Slide", f"0, 0, {slide}")),
                 ("turn", ("Turn", f"{TURN:g}"))), start=5):
-            yield section(f"Stage {number}", ("Name", name), ("Start from", 4),
-                          ("Contact", "true"), ("Glued", "true"), motion)
+            yield words + section(
+                f"Stage {number}", ("Name", name), ("Start from", 4), ("Contact", "true"),
+                ("Glued", "true"), motion)
+            words = ""
         if not is_layer:
             yield f"# Rolls freely at {design.speed:g} km/h under the load.\n" + section(
                 "Stage 8", ("Name", "rolling"), ("Start from", 4), ("Contact", "true"),

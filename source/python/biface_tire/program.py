@@ -68,8 +68,9 @@ def add_new(commands):
     parser.add_argument("--width", type=float, metavar="W",
                         help="measured section width on this rim, mm")
     parser.add_argument("--contour", type=Path, metavar="FILE.csv",
-                        help="measured points of the outside when inflated, radius and "
-                             "axial coordinate in mm, from one flange to the other")
+                        help="measured points of the outer side of the carcass when "
+                             "inflated, radius and axial coordinate in mm, from one flange "
+                             "to the other")
     parser.add_argument("--kind", choices=KINDS,
                         help="the rules, if not those that follow from the notation")
     parser.add_argument("--speed", type=float, metavar="V",
