@@ -51,6 +51,8 @@ class Netting:
         if excess(high) < 0:
             raise ValueError("no cord angle reaches the flange")
         self.set_angle(bisect(excess, low, high))
+        if abs(excess(self.degrees)) > 1e-3 * half_width:
+            raise ValueError("no cord angle reaches the flange")
 
     @classmethod
     def with_angle(cls, crown, half_width, degrees):
@@ -80,15 +82,19 @@ class Netting:
         depth, total = self.crown - radius, 0
         for i in range(points):
             t = (i + 0.5) / points
-            drop = depth * t * t * (2 * self.crown - depth * t * t)
-            a = drop / (self.crown**2 - self.widest**2)
-            q = drop * (self.cosine / (self.crown * self.sine))**2
-            b = q / (1 + math.sqrt(1 + q))
-            lack = a - b + a * b  # 1 - sin(phi)
+            lack = self.lack(depth * t * t * (2 * self.crown - depth * t * t))
             if not 0 < lack < 2:
                 return math.nan
             total += (1 - lack) / math.sqrt(lack * (2 - lack)) * t
         return total * 2 * depth / points
+
+    def lack(self, drop):
+        """1 - sin(phi), where r_c^2 - r^2 is the drop: 0 at the crown, 1 at the widest
+        place, 2 where the meridian would be parallel to the axis again."""
+        a = drop / (self.crown**2 - self.widest**2)
+        q = drop * (self.cosine / (self.crown * self.sine))**2
+        b = q / (1 + math.sqrt(1 + q))
+        return a - b + a * b
 
     def points(self, end, count=60):
         """Points (radius, axial coordinate) from the crown to the radius end, denser at

@@ -21,9 +21,10 @@ from .size import parse_size
 
 RUBBER_DENSITY = 1.15e-9  # t/mm^3
 FRICTION = 0.8
+LARGEST_PRESSURE = 1      # MPa, of kinds that never have more
 RADIAL_BURST = 8          # of one ply of a radial carcass, over the pressure; estimate
 
-# reference pressures in MPa of standard and reinforced passenger tires [ISO4000]
+# reference pressures in MPa of standard and reinforced passenger tires @cite ISO4000
 PASSENGER_PRESSURES = (0.25, 0.29)
 # of light truck tires by ply rating, 50, 65 and 80 psi
 LIGHT_TRUCK_PRESSURES = {6: 0.35, 8: 0.45, 10: 0.55}
@@ -133,19 +134,27 @@ class Design:
 
     def __init__(self, text, options=Options()):
         """Raises BifaceError with one sentence if there is no such tire."""
-        self.options, self.facts, self.warnings = options, [], []
+        self.options = options
         self.size = parse_size(text, options.kind)
         if self.is_radial and self.size.kind == "motorcycle":
             raise BifaceError(f"{self.size.text} is a radial tire of a motorcycle: its "
                               "round tread has no rules here, but its size with '-' in "
                               "place of R is a bias tire.")
-        self.find_rim()
+        rim = self.prepare()
+        if rim is not None:
+            self.prepare(rim)
+        self.fit_contour()
+        self.add_results()
+
+    def prepare(self, rim_width=None):
+        """Does all but the summary. rim_width replaces that of the rule; returned is the
+        one nearest to it if that of the rule is not possible, else None."""
+        self.facts, self.warnings = [], []
+        self.find_rim(rim_width)
         self.find_section()
         self.find_pressure()
         self.find_load()
-        self.build()
-        self.fit_contour()
-        self.add_results()
+        return self.build()
 
     @property
     def is_radial(self):
@@ -163,12 +172,15 @@ class Design:
 
     # ------------------------------------------------------------- what is given
 
-    def find_rim(self):
+    def find_rim(self, possible):
         """Width, diameter and flange of the rim."""
         size = self.size
         contour, diameter = "", size.rim_diameter
         if self.options.rim is None:
             self.rim_width, source = size.measuring_rim, size.rim_rule
+            if possible is not None:
+                self.rim_width, source = possible, (
+                    f"{source}, but as wide as the section needs")
         else:
             rim = parse_rim(self.options.rim, self.is_bicycle)
             self.rim_width, source, contour = rim.width, "given", rim.contour
@@ -265,6 +277,13 @@ class Design:
         if not 0.005 <= self.pressure <= 5:
             raise BifaceError(f"the pressure is {self.pressure:.4g} MPa, but must lie "
                               "between 0.005 and 5 MPa (0.05 to 50 bar).")
+        if (self.pressure > LARGEST_PRESSURE
+                and size.kind not in ("aircraft", "truck", "bicycle", "utility")):
+            raise BifaceError(
+                f"the pressure is {self.pressure:.4g} MPa ({10 * self.pressure:.4g} bar), but "
+                f"must be at most {LARGEST_PRESSURE:g} MPa ({10 * LARGEST_PRESSURE:g} bar) in "
+                f"a tire by the rules for {size.kind}: give the unit, as in --pressure "
+                "2.5bar.")
         self.add("pressure", f"{self.pressure:.4g} MPa ({10 * self.pressure:.3g} bar)",
                  source)
 
@@ -306,10 +325,11 @@ class Design:
     # ------------------------------------------------------------- construction
 
     def build(self):
-        """The tire, or one sentence with the rims that are possible."""
+        """The tire. If its rim is not possible, one sentence with those that are, or the
+        nearest one if it was chosen by a rule."""
         try:
             self.tire = self.make(self.rim_width, self.width)
-            return
+            return None
         except ValueError as error:
             reason = str(error)
         possible = [rim for rim in self.rims() if self.is_possible(rim)]
@@ -321,6 +341,8 @@ class Design:
                 f"flanges {self.flange:.4g} mm high, on a rim of any width: the overall "
                 f"diameter {self.diameter:.4g} mm and the width {self.width:.4g} mm must "
                 "leave more room over the flange, or the plies be fewer.")
+        if self.options.rim is None:
+            return min(possible, key=lambda rim: abs(rim - self.rim_width))
         low, high = possible[0], possible[-1]
         raise BifaceError(words + (
             f" {low:.0f} to {high:.0f} mm wide." if self.is_bicycle else
@@ -383,6 +405,8 @@ class Design:
         if not 26 <= tire.curve.degrees <= 70:
             raise ValueError(f"with a cord angle of {tire.curve.degrees:.0f} degrees, which "
                              "is not one of 26 to 70")
+        if tire.curve.lack(tire.curve.crown**2 - tire.end**2) > 1.93:
+            raise ValueError("where the sidewall would reach the flange along the axle")
         if self.is_bicycle and tire.end < self.rim_diameter / 2 - 1:
             raise ValueError("where the sidewall would end below the seat of the bead")
         return tire

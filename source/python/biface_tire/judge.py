@@ -27,7 +27,7 @@ USUAL_DEFLECTION = 0.1, 0.3
 INFLATED_CORDS, LOADED_CORDS = 0.3, 0.45
 MASS = 0.6, 1.15
 
-# kg of a 205/60 R15 [TNO2013], and its D and S in mm
+# kg of a 205/60 R15 @cite TNO2013, and its D and S in mm
 PASSENGER_MASS, PASSENGER_SIZE = 9.3, (627, 205)
 
 

@@ -61,8 +61,9 @@ class Mesh:
         self.cells = sum(counts), fine + 2 * coarse
 
     def unknowns(self, faces):
-        """Number of unknowns with faces of the wall, 2 for one layer."""
-        return 3 * faces * (self.cells[0] + 1) * self.cells[1]
+        """Number of unknowns with faces of the wall, 2 for one layer; both ends are
+        held."""
+        return 3 * faces * (self.cells[0] - 1) * self.cells[1]
 
 
 def section(name, *entries):

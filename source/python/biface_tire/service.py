@@ -5,7 +5,7 @@ from biface.errors import BifaceError
 
 STANDARD_GRAVITY = 9.80665  # m/s^2
 
-# kg of the load indices 0 to 79; each further 80 are ten times as much [UNECE54]
+# kg of the load indices 0 to 79; each further 80 are ten times as much @cite UNECE54
 _MASSES = (
     45, 46.25, 47.5, 48.75, 50, 51.5, 53, 54.5, 56, 58, 60, 61.5, 63, 65, 67, 69, 71, 73,
     75, 77.5, 80, 82.5, 85, 87.5, 90, 92.5, 95, 97.5, 100, 103, 106, 109, 112, 115, 118,
@@ -14,7 +14,7 @@ _MASSES = (
     315, 325, 335, 345, 355, 365, 375, 387.5, 400, 412.5, 425, 437.5)
 LARGEST_LOAD_INDEX = 279
 
-# km/h [UNECE54]
+# km/h @cite UNECE54
 SPEEDS = {
     "A1": 5, "A2": 10, "A3": 15, "A4": 20, "A5": 25, "A6": 30, "A7": 35, "A8": 40, "B": 50,
     "C": 60, "D": 65, "E": 70, "F": 80, "G": 90, "J": 100, "K": 110, "L": 120, "M": 130,

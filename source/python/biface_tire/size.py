@@ -13,13 +13,13 @@ from .service import LOAD_RANGES, SPEEDS, load_of
 KINDS = ("passenger", "light truck", "truck", "utility", "agricultural", "motorcycle",
          "aircraft", "bicycle")
 
-# Diameters in mm of the seats of bicycle rims [ISO5775]
+# Diameters in mm of the seats of bicycle rims @cite ISO5775
 FRENCH = {"700A": 642, "700B": 635, "700C": 622, "700D": 587, "650A": 590, "650B": 584,
           "650C": 571, "600A": 541, "550A": 490, "500A": 440, "450A": 390, "400A": 340}
 DECIMAL = {"12": 203, "14": 254, "16": 305, "18": 355, "20": 406, "24": 507, "26": 559,
            "27.5": 584, "28": 622, "29": 622}
 
-# Change of the section width over that of the rim width [UNECE30]
+# Change of the section width over that of the rim width @cite UNECE30
 WIDTH_BY_RIM = 0.4
 
 EXAMPLES = ("195/65 R15 91V, LT235/85R16, 185R14C, 7.50-16 6PR, 4.80/4.00-8, 11R22.5, "
@@ -82,7 +82,7 @@ class TireSize:
                 else (self.diameter - self.rim_diameter) / 2)
 
     def width_on(self, rim_width):
-        """The section width on a rim, S = S_1 + 0.4 (A - A_1) [UNECE30]."""
+        """The section width on a rim, S = S_1 + 0.4 (A - A_1) @cite UNECE30."""
         return self.width + WIDTH_BY_RIM * (rim_width - self.theoretical_rim)
 
 
@@ -116,7 +116,7 @@ def metric(text, kind, width, aspect, rim, is_radial):
     if not 50 <= width <= 1100:
         raise BifaceError(f"the size '{text}' has the width {width:g} mm, but must have "
                           "one between 50 and 1100 mm.")
-    # theoretical rims and measuring rims over the width [ISO4000, UNECE30]
+    # theoretical rims and measuring rims over the width @cite ISO4000, @cite UNECE30
     if kind == "truck":
         theory, measuring = 0.75 * width, nearest_truck_rim(0.75 * width)
         rule = "0.75 of the width, the nearest 15° rim"
