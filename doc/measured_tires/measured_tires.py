@@ -244,7 +244,6 @@ def radial_variants(run, scratch):
         ("apex 50 instead of 30 mm over the rim", {"apex": 49.9}, {}),
         ("belts at 20 instead of 24°", {"belt_angle": 20}, {}),
         ("tread of 8 instead of 5 MPa", {}, {"Material tread/E": 5.36}),
-        ("flange 10 mm higher", {"flange": 27.5}, {}),
         ("cells half as long around the axle", {}, {
             "Mesh/Intervals alpha_2": "-180:-22:28:smooth, -22:22:48, 22:180:28:smooth"})]
     results = []
@@ -483,8 +482,8 @@ def radial_section(data):
         "## A radial tire",
         fill("""
         [radial_tire.prm](../prm/radial_tire.prm) is a 205/60 R15 on a rim 6J x 15, designed from its
-        size by [radial_tire.py](measured_tires/radial_tire.py), whose options take other
-        sizes, too. The values published for this size are those of an example file
+        size by [radial_tire.py](measured_tires/radial_tire.py); [biface-tire](tire_from_size.md)
+        takes other sizes. The values published for this size are those of an example file
         of MF-Tyre ([TNO 2013](references.bib#TNO2013)), the coefficients of a tire and no record of a
         measurement; its torsional stiffness is a round default. **Nothing here is fitted to them.**
         """),
@@ -530,8 +529,7 @@ def radial_section(data):
         along the ground; and too light. What inputs that nobody published could explain is in the
         table. Fillers of the bead do most: those 20 mm higher alone raise the frequencies of the lateral
         and the yaw mode above the published ones, and give more than a third of what lacks in the
-        lateral stiffness; with the flange 10 mm higher, above which hardly any filler is left, the tire
-        loses more than half of it. No single input explains the wind-up mode and the longitudinal
+        lateral stiffness. No single input explains the wind-up mode and the longitudinal
         stiffness.
         """),
         table(["Input", "Deflection, mm", "Vertical, N/mm", "Lateral, N/mm",

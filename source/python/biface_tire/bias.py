@@ -9,7 +9,8 @@ cords, which follow from the netting theory (@cite Purdy1963, doc/theory.md, sec
 import math
 from dataclasses import dataclass
 
-from biface.errors import BifaceError
+import numpy as np
+
 from .cords import NYLON_840, NYLON_CASING, Cord
 
 BURST = 4  # pressure at which the cords may break, over the rated one
@@ -79,21 +80,20 @@ class Netting:
     def width_at(self, radius, points=200):
         """The integral of tan(phi) over the radius, by the midpoint rule; with
         r_c - r = depth t^2 it is regular at the crown."""
-        depth, total = self.crown - radius, 0
-        for i in range(points):
-            t = (i + 0.5) / points
-            lack = self.lack(depth * t * t * (2 * self.crown - depth * t * t))
-            if not 0 < lack < 2:
-                return math.nan
-            total += (1 - lack) / math.sqrt(lack * (2 - lack)) * t
-        return total * 2 * depth / points
+        depth = self.crown - radius
+        t = (np.arange(points) + 0.5) / points
+        lack = self.lack(depth * t * t * (2 * self.crown - depth * t * t))
+        if not ((0 < lack) & (lack < 2)).all():
+            return math.nan
+        return float(np.sum((1 - lack) / np.sqrt(lack * (2 - lack)) * t)
+                     * 2 * depth / points)
 
     def lack(self, drop):
         """1 - sin(phi), where r_c^2 - r^2 is the drop: 0 at the crown, 1 at the widest
         place, 2 where the meridian would be parallel to the axis again."""
         a = drop / (self.crown**2 - self.widest**2)
         q = drop * (self.cosine / (self.crown * self.sine))**2
-        b = q / (1 + math.sqrt(1 + q))
+        b = q / (1 + np.sqrt(1 + q))
         return a - b + a * b
 
     def points(self, end, count=60):
