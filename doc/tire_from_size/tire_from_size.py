@@ -98,7 +98,7 @@ def draw(made, path):
     import matplotlib
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
-    figure, axes = plt.subplots(2, 3, figsize=(9, 6.4), layout="constrained")
+    figure, axes = plt.subplots(2, 3, figsize=(9, 5.6), layout="constrained")
     for place, case in zip(axes.flat, SHOWN):
         design, _, results, _, _ = made[case]
         stage = results.history["stage"]
@@ -120,7 +120,9 @@ def draw(made, path):
         place.tick_params(labelsize=7)
         place.set_xlabel("axial, mm", fontsize=7)
         place.set_ylabel("distance from the axle, mm", fontsize=7)
-    axes.flat[0].legend(fontsize=7, loc="lower center")
+    figure.legend(*axes.flat[0].get_legend_handles_labels(), fontsize=8, ncols=3,
+                  loc="lower center")
+    figure.get_layout_engine().set(rect=(0, 0.06, 1, 0.94))
     figure.savefig(path, dpi=110)
 
 
