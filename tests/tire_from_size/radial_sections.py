@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 
-from tire_from_size_test import check, check_close
+from tire_from_size_test import check_close
 
 from biface_tire.design import Design
 

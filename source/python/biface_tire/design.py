@@ -2,7 +2,6 @@
 """A tire from its size: dimensions on its rim, pressure, load, plies and mass, each with
 the rule or the source it is from."""
 
-import math
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -21,6 +20,7 @@ from .size import parse_size
 
 RUBBER_DENSITY = 1.15e-9  # t/mm^3
 FRICTION = 0.8
+LARGEST_KINK = 35         # degrees, up to which runs have converged
 LARGEST_PRESSURE = 1      # MPa, of kinds that never have more
 RADIAL_BURST = 8          # of one ply of a radial carcass, over the pressure; estimate
 
@@ -476,7 +476,7 @@ class Design:
 
     def add_results(self):
         """What follows from the construction."""
-        tire, size = self.tire, self.size
+        tire = self.tire
         if self.is_radial:
             self.add("carcass", f"{tire.carcass_plies} x {self.rules.carcass.name}, 90°",
                      "given" if self.options.plies else
@@ -486,6 +486,11 @@ class Design:
                                                  if tire.cap else ""), self.rules.source)
             self.add("widest at", f"radius {tire.widest:.1f} mm",
                      "cords along the meridian")
+            if tire.kink > LARGEST_KINK and self.contour is None:
+                self.warnings.append(
+                    f"the sidewall leaves the belts at an angle of {tire.kink:.0f} degrees, "
+                    "which a tire rounds: the inflation may not converge; give a measured "
+                    "--contour.")
         else:
             source = ("given" if self.options.plies else
                       f"the smallest even number that holds {BURST} times the pressure")

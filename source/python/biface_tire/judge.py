@@ -21,7 +21,7 @@ LENGTH, WIDTH = (0.8, 1.05), (0.8, 1.1)
 LATERAL, LONGITUDINAL, TORSIONAL = (0.6, 1.5), (0.7, 2.4), (0.5, 3.2)
 ROLLING_RADIUS = 0.92, 1.01
 # bristles are pressed also where the wall is not yet flat
-LOAD_RATIO = {"layer": (1, 1.4), "bristles": (0.88, 1.4)}
+LOAD_RATIO = {"layer": (1, 1.4), "bristles": (0.85, 1.4)}
 DEFLECTION = {"aircraft": (0.2, 0.4), "bicycle": (0.08, 0.35)}
 USUAL_DEFLECTION = 0.1, 0.3
 INFLATED_CORDS, LOADED_CORDS = 0.3, 0.45
@@ -157,7 +157,7 @@ class Judgment:
                      "NASA TR R-64", WIDTH)
         else:
             self.add("footprint length", "mm", length, design.diameter, "the diameter",
-                     (0.08, 0.35))
+                     (0.08, 0.4))
             self.add("footprint width", "mm", width, design.width, "the section width",
                      (0.4, 0.95))
         area = float(loaded.last("footprint_area"))

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from biface.errors import BifaceError
-from .rim import INCH, TRUCK_WIDTHS, Rim
+from .rim import INCH, TRUCK_WIDTHS
 from .service import LOAD_RANGES, SPEEDS, load_of
 
 KINDS = ("passenger", "light truck", "truck", "utility", "agricultural", "motorcycle",
