@@ -3,7 +3,7 @@
 
 # Installs the Debian 12 packages that biface needs and that are missing:
 #   doc/install.sh         to build and run the program
-#   doc/install.sh report  and for biface-report, biface-rubber, biface-tire-model
+#   doc/install.sh report  and for biface-report, biface-rubber, biface-tire, biface-tire-model
 #   doc/install.sh tests   and to run all tests and build the documentation
 
 set -eu

@@ -46,12 +46,14 @@ install(FILES README.md CHANGELOG.md CITATION.cff LICENSE
 install(DIRECTORY doc/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/doc
   FILES_MATCHING PATTERN *.md PATTERN *.png PATTERN *.bib
   PATTERN paraview/biface.py PATTERN python/tutorial.py
-  PATTERN aircraft_tires.csv PATTERN real_tires.py PATTERN radial_tire.py PATTERN bottoming.csv
+  PATTERN real_tires.py PATTERN radial_tire.py PATTERN bottoming.csv
       PATTERN measured_tires.py PATTERN relaxation.py PATTERN *.tir PATTERN example_page.py
   PATTERN parameters EXCLUDE PATTERN performance EXCLUDE)
 install(DIRECTORY prm/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples
   FILES_MATCHING PATTERN *.prm PATTERN *.csv PATTERN *.msh PATTERN *.geo)
 # so that the links of the pages lead somewhere
+install(FILES source/python/biface_tire/aircraft_tires.csv
+  DESTINATION ${CMAKE_INSTALL_DOCDIR}/source/python/biface_tire)
 install(CODE "file(CREATE_LINK examples
   \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATAROOTDIR}/doc/biface/prm\" SYMBOLIC)")
 
@@ -72,8 +74,8 @@ set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
 rigid plane, drum or sphere, with arbitrarily large displacements and rotations.
 Program, library with headers, Python package, and examples.")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# the second line is what the Python package, biface-report, biface-rubber and
-# biface-tire-model need
+# the second line is what the Python package, biface-report, biface-rubber,
+# biface-tire and biface-tire-model need
 string(CONCAT CPACK_DEBIAN_PACKAGE_RECOMMENDS
   "libopenblas0-pthread, openmpi-bin, "
   "python3-numpy, python3-pandas, python3-matplotlib, python3-scipy, libjs-three")

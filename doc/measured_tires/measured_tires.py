@@ -18,7 +18,9 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
 sys.path.insert(0, str(HERE.parent / "real_tires"))
 from example_page import EXAMPLES, biface, parse_arguments, table
-from radial_tire import RadialTire
+import radial_tire
+from biface_tire.radial import RadialTire
+from biface_tire.size import read_databook
 from real_tires import Construction, find_row, read_table
 
 QUIET = {"Output/Write VTU": False}
@@ -60,7 +62,7 @@ SLIP_ANGLE = 0.5
 def radial_settings(tire, directory, tread=True):
     """The entries of prm/radial_tire.prm for a tire by the rules."""
     directory.mkdir(parents=True, exist_ok=True)
-    tire.write(directory, tread=tread)
+    radial_tire.write(tire, directory, tread=tread)
     return {"Surface/Spline/File": directory / "radial_tire_profile.csv",
             "Laminate/Plies file": directory / "radial_tire_plies.csv",
             **tire.settings()}
@@ -208,8 +210,7 @@ def radial_model(run, bristles, output):
 def aircraft_tire():
     """The tire of the .tir file, and its entries with a tread of bristles in place of
     a ply, in the shape under pressure."""
-    tire = Construction(find_row(
-        read_table(HERE.parent / "real_tires/aircraft_tires.csv"), AIRCRAFT))
+    tire = Construction(find_row(read_databook(), AIRCRAFT))
     return tire, {**{entry: value for entry, value in tire.cornering_settings().items()
                      if not entry.startswith("Stage") or entry == "Stage 1/Pressure"},
                   "Stage 2/Pressure": f"{tire.pressure:.10g}"}
@@ -243,7 +244,6 @@ def radial_variants(run, scratch):
         ("apex 50 instead of 30 mm over the rim", {"apex": 49.9}, {}),
         ("belts at 20 instead of 24°", {"belt_angle": 20}, {}),
         ("tread of 8 instead of 5 MPa", {}, {"Material tread/E": 5.36}),
-        ("flange 10 mm higher", {"flange": 27.5}, {}),
         ("cells half as long around the axle", {}, {
             "Mesh/Intervals alpha_2": "-180:-22:28:smooth, -22:22:48, 22:180:28:smooth"})]
     results = []
@@ -263,7 +263,7 @@ def deep_tires(run):
     """Tires of the databook under twice the rated load."""
     results = []
     bottoming = {row["name"]: row for row in read_table(HERE / "bottoming.csv")}
-    for row in read_table(HERE.parent / "real_tires/aircraft_tires.csv"):
+    for row in read_databook():
         tire = Construction(row)
 
         def is_enough(line, load=2000 * tire.load):
@@ -482,8 +482,8 @@ def radial_section(data):
         "## A radial tire",
         fill("""
         [radial_tire.prm](../prm/radial_tire.prm) is a 205/60 R15 on a rim 6J x 15, designed from its
-        size by [radial_tire.py](measured_tires/radial_tire.py), whose options take other
-        sizes, too. The values published for this size are those of an example file
+        size by [radial_tire.py](measured_tires/radial_tire.py); [biface-tire](tire_from_size.md)
+        takes other sizes. The values published for this size are those of an example file
         of MF-Tyre ([TNO 2013](references.bib#TNO2013)), the coefficients of a tire and no record of a
         measurement; its torsional stiffness is a round default. **Nothing here is fitted to them.**
         """),
@@ -529,8 +529,7 @@ def radial_section(data):
         along the ground; and too light. What inputs that nobody published could explain is in the
         table. Fillers of the bead do most: those 20 mm higher alone raise the frequencies of the lateral
         and the yaw mode above the published ones, and give more than a third of what lacks in the
-        lateral stiffness; with the flange 10 mm higher, above which hardly any filler is left, the tire
-        loses more than half of it. No single input explains the wind-up mode and the longitudinal
+        lateral stiffness. No single input explains the wind-up mode and the longitudinal
         stiffness.
         """),
         table(["Input", "Deflection, mm", "Vertical, N/mm", "Lateral, N/mm",

@@ -21,14 +21,13 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from example_page import biface, table
+from biface_tire import nasa as formulas
+from biface_tire.bias import AIRCRAFT, BURST, BiasTire
+from biface_tire.size import read_databook
 
 # ------------------------------------------------------- rules of construction
 
-CORD = {"modulus": 2400, "diameter": 0.6, "pitch": 1, "force": 125}
-PLY, LINER, SIDEWALL, RUBBER = 1.1, 1.5, 2.5, 6
-BURST = 4  # over the rated pressure
 TURN = 0.2  # degrees, of the ground in the parameter file
-CLEARANCE = 2  # between the carcass and half the rim width
 FRICTION = 0.8  # of the tire that stands and of that which rolls
 SLIP_ANGLE = 1  # degrees
 DEFLECTIONS = (0.5, 0.75, 1, 1.25)  # over the rated one
@@ -60,123 +59,18 @@ def find_row(rows, name):
     return next(row for row in rows if row["name"] == name)
 
 
-class Netting:
-    """The curve of the meridian 'cord equilibrium', as theory.md has it."""
-
-    def __init__(self, crown, half_width, end, end_half_width):
-        self.crown, self.half_width = crown, half_width
-
-        def excess(degrees):
-            self.set_angle(degrees)
-            width = self.width_at(end)
-            return -crown if math.isnan(width) else width - end_half_width
-
-        # the end moves outward with the angle
-        low, high = 25, 90
-        if excess(high) < 0:
-            raise ValueError("no cord angle reaches the flange")
-        self.set_angle(bisect(excess, low, high))
-
-    def set_angle(self, degrees):
-        self.degrees = degrees
-        self.cosine = math.cos(math.radians(degrees))
-        self.sine = math.sin(math.radians(degrees))
-        least = self.crown * math.sqrt(max(0, 3 - 2 / self.cosine**2))
-
-        def excess(widest):
-            self.widest = widest
-            return self.half_width - self.width_at(widest)
-
-        self.widest = bisect(excess, least + 1e-6 * self.crown,
-                             self.crown * (1 - 1e-6))
-
-    def width_at(self, radius, points=200):
-        """The integral of tan(phi) over the radius, by the midpoint rule; with
-        r_c - r = depth t^2 it is regular at the crown."""
-        depth, total = self.crown - radius, 0
-        for i in range(points):
-            t = (i + 0.5) / points
-            drop = depth * t * t * (2 * self.crown - depth * t * t)
-            a = drop / (self.crown**2 - self.widest**2)
-            q = drop * (self.cosine / (self.crown * self.sine))**2
-            b = q / (1 + math.sqrt(1 + q))
-            lack = a - b + a * b  # 1 - sin(phi)
-            if not 0 < lack < 2:
-                return math.nan
-            total += (1 - lack) / math.sqrt(lack * (2 - lack)) * t
-        return total * 2 * depth / points
-
-
-def bisect(function, low, high):
-    """The place where an increasing function changes its sign."""
-    for _ in range(50):
-        middle = (low + high) / 2
-        if function(middle) < 0:
-            low = middle
-        else:
-            high = middle
-    return (low + high) / 2
-
-
-class Construction:
+class Construction(BiasTire):
     """A tire by the rules, from a row of the table."""
 
     def __init__(self, row, diameter=None, plies=None):
         self.row = row
         number = {key: float(value) for key, value in row.items()
                   if key != "name" and value}
-        self.pressure = number["pressure_MPa"]
-        self.diameter = diameter or number["D_mm"]
-        self.width = number["W_mm"]
         self.load = number["rated_load_kN"]
         self.deflection = number["deflection_mm"]
-        self.tread = 4 + 0.022 * self.width
-        self.end = number["flange_diameter_mm"] / 2
-        self.rim_width = number["rim_width_mm"]
-        # the smallest even number of plies whose cords hold the burst pressure
-        self.plies = plies or 2
-        while True:
-            carcass = self.plies * PLY
-            self.crown = self.diameter / 2 - self.tread - carcass / 2
-            self.half_width = self.width / 2 - SIDEWALL - carcass / 2
-            self.end_half_width = self.rim_width / 2 - CLEARANCE - carcass / 2
-            self.curve = Netting(self.crown, self.half_width, self.end,
-                                 self.end_half_width)
-            force = (BURST * self.pressure * CORD["pitch"]
-                     * (self.crown**2 - self.curve.widest**2)
-                     / (2 * self.plies * self.crown * self.curve.sine**2))
-            if plies or force <= CORD["force"]:
-                break
-            self.plies += 2
-
-    def layup(self, tread=None):
-        """The entry 'Laminate/Plies': liner, carcass, turn-ups of half its
-        plies, sidewall and tread.
-
-        tread: its thickness over that of the sidewall, by the rules if not
-        given."""
-        if tread is None:
-            tread = self.tread - SIDEWALL
-        cord = f"cord: {PLY} @ "
-        turn_up = [f"{self.plies // 4} x ({cord}+-lift(beta_c) RANGE)"]
-        if self.plies % 4:
-            turn_up.append(f"{cord}lift(beta_c) RANGE")
-        if self.plies < 4:
-            turn_up = turn_up[1:]
-        return ", ".join(
-            [f"rubber: {LINER} @ 0",
-             f"{self.plies // 2} x ({cord}+-lift(beta_c))"]
-            + [ply.replace("RANGE", part) for part in
-               ("from -end to -0.7*end", "from 0.7*end to end")
-               for ply in turn_up]
-            + [f"rubber: {SIDEWALL} + {tread:.6g}"
-               "*min(1, max(0, 3 - 5*abs(alpha_1)/end)) @ 0"])
-
-    def layers(self):
-        """The entry 'Laminate/Layers': the tread and the sidewall, which shear in
-        series with all other plies."""
-        turn_up = 2 * (self.plies // 4) + (self.plies % 4 > 0)
-        return f"{1 + self.plies + 2 * turn_up}, 1"
+        super().__init__(diameter or number["D_mm"], number["W_mm"],
+                         number["flange_diameter_mm"] / 2, number["rim_width_mm"],
+                         number["pressure_MPa"], plies)
 
     def slide(self):
         """The motion of the ground by which stiffnesses are computed."""
@@ -209,8 +103,8 @@ class Construction:
             **self.settings(),
             "Laminate/Plies": self.layup(tread=0),
             "Laminate/Layers": "one",
-            "Contact/Tread/Height": f"{self.tread - SIDEWALL:.6g}",
-            "Contact/Tread/Modulus": f"{RUBBER}",
+            "Contact/Tread/Height": f"{self.tread - AIRCRAFT.sidewall:.6g}",
+            "Contact/Tread/Modulus": f"{AIRCRAFT.rubber}",
             "Contact/Regularization": "automatic",
             "Contact/Tangential regularization": "automatic",
             "Contact/Rolling friction": "bristles",
@@ -241,25 +135,17 @@ def nasa(tire):
     radius (mm), lateral and fore-and-aft stiffness (kN/mm) and torsional
     stiffness (kN m per degree) at the rated pressure and deflection."""
     d, w, delta, p = tire.diameter, tire.width, tire.deflection, tire.pressure
-    force = 2.4 * 1.08 * p * w * math.sqrt(w * d) * (delta / w - 0.03) / 1000
-    lateral = 2 * w * 1.24 * p * (1 - 0.7 * delta / w) / 1000
-    fore_aft = 0.6 * d * 5 * p * (delta / d)**(1 / 3) / 1000
-    turn = (250 * (delta / d)**2 if delta / d <= 0.03
-            else 15 * (delta / d - 0.015))
-    torsion = 1.8 * p * w**3 * turn * math.pi / 180 / 1e6
-    return (force, 1.7 * math.sqrt(delta * (d - delta)),
-            1.7 * math.sqrt(delta * (w - delta)), d / 2 - delta / 3,
-            lateral, fore_aft, torsion)
+    return (formulas.force(d, w, delta, p), formulas.footprint_length(d, delta),
+            formulas.footprint_width(w, delta), formulas.rolling_radius(d, delta),
+            formulas.lateral_stiffness(w, delta, p),
+            formulas.longitudinal_stiffness(d, delta, p),
+            formulas.torsional_stiffness(d, w, delta, p))
 
 
 def nasa_cornering_power(tire, deflection=1):
     """Side force per slip angle, kN per degree, at the rated pressure."""
-    relative = deflection * tire.deflection / tire.diameter
-    # the line is the tangent of the parabola
-    shape = (1.2 * relative - 8.8 * relative**2 if relative <= 0.0875
-             else 0.0674 - 0.34 * relative)
-    return (57 * 1.44 * tire.pressure * tire.width**2
-            * shape * math.pi / 180 / 1000)
+    return formulas.cornering_power(tire.diameter, tire.width,
+                                    deflection * tire.deflection, tire.pressure)
 
 
 # ---------------------------------------------------------------------- results
@@ -496,7 +382,7 @@ def vary(arguments, row):
     for factor, words in ((0.5, "half the cord modulus"),
                           (2, "twice the cord modulus")):
         cases.append((words, {**tire.settings(), "Material cord/E_cord":
-                              f"{factor * CORD['modulus']}"}))
+                              f"{factor * AIRCRAFT.cord.modulus}"}))
     for plies in (6, 12):
         cases.append((f"{plies} plies instead of {tire.plies}",
                       Construction(row, plies=plies).settings()))
@@ -679,7 +565,7 @@ def page(results, singles, equilibrium, variations, cornering, varied, bottoming
         inflated, rim, ply rating, pressure, rated load and loaded radius.
         [aircraft_tire.prm](../prm/aircraft_tire.prm) computes a bias-ply aircraft
         tire from these words. This page does it for the {len(results)} tires of
-        [aircraft_tires.csv](real_tires/aircraft_tires.csv) and compares the
+        [aircraft_tires.csv](../source/python/biface_tire/aircraft_tires.csv) and compares the
         force at the rated deflection with the rated load. The rules below are
         the same for all tires, and none of them is fitted to a load.
         """),
@@ -694,13 +580,13 @@ def page(results, singles, equilibrium, variations, cornering, varied, bottoming
             and 2 mm. The cord angle follows.""",
             f"""The smallest even number of plies for which the force of a cord at the
             burst pressure, {BURST} times the rated one, is at most
-            {CORD['force']} N, by the netting formula of
+            {AIRCRAFT.cord.strength} N, by the netting formula of
             [theory.md](theory.md), section 1.""",
-            f"""Nylon 840/2 cords: modulus {CORD['modulus']} MPa, diameter
-            {CORD['diameter']} mm, distance {CORD['pitch']} mm at the crown, in
-            plies of {PLY} mm; rubber of {RUBBER} MPa. Cords buckle: in compression
+            f"""Nylon 840/2 cords: modulus {AIRCRAFT.cord.modulus} MPa, diameter
+            {AIRCRAFT.cord.diameter} mm, distance {AIRCRAFT.cord.pitch} mm at the crown, in
+            plies of {AIRCRAFT.cord.ply} mm; rubber of {AIRCRAFT.rubber} MPa. Cords buckle: in compression
             a ply has a hundredth of its stiffness along them.""",
-            f"""Liner {LINER} mm, sidewall {SIDEWALL} mm, tread 4 mm + 0.022 W over the
+            f"""Liner {AIRCRAFT.liner} mm, sidewall {AIRCRAFT.sidewall} mm, tread 4 mm + 0.022 W over the
             middle 40 % of the section, tapering to the sidewall at 60 %.""",
             """Two layers: the sidewall with the tread, and all plies inside it. The
             tread shears in series with the carcass.""",
@@ -792,7 +678,7 @@ def main():
     arguments.scratch = arguments.scratch.resolve()
     arguments.scratch.mkdir(parents=True, exist_ok=True)
 
-    rows = read_table(arguments.tires or here / "aircraft_tires.csv")
+    rows = read_table(arguments.tires) if arguments.tires else read_databook()
     if arguments.only:
         rows = [row for row in rows if row["name"] in arguments.only]
     results = compute(arguments, rows)

@@ -14,11 +14,11 @@ import numpy as np
 
 sys.path.insert(0, str(SOURCE / "doc/measured_tires"))
 
-from radial_tire import RadialTire
+from radial_tire import RadialTire, write
 
 tire = RadialTire()
 folder = scratch()
-tire.write(folder)
+write(tire, folder)
 for name in ("radial_tire_profile.csv", "radial_tire_plies.csv"):
     check((folder / name).read_text(encoding="utf-8")
           == (SOURCE / "prm" / name).read_text(encoding="utf-8"), f"{name} differs")
