@@ -13,6 +13,7 @@
 #include <biface/input/parameter_tools.h>
 #include <biface/laminate/layup.h>
 #include <biface/model/mesh/named_points.h>
+#include <biface/problem/check_excitations.h>
 #include <biface/problem/proportions.h>
 #include <biface/solver/buckling_analysis.h>
 #include <biface/solver/linear/make_linear_solver.h>
@@ -73,6 +74,7 @@ namespace Biface
     , linear_solver(make_linear_solver(parameters.linear_solver, *mesh, timer))
     , state(contact.unloaded_state())
   {
+    check_excitations(parameters, *mesh);
     for (unsigned int i = 0; i < parameters.stages.size(); ++i)
       {
         const Stage      &stage   = parameters.stages[i];
@@ -83,15 +85,6 @@ namespace Biface
           throw InputError(section + "/Critical points",
                            "switch branch",
                            "supports must not prescribe displacements");
-        // the translation of a sector is none of the whole
-        for (const std::string &excitation : stage.excitations)
-          if (const auto motion = StageResponse::motion(excitation);
-              motion && parameters.supports.is_cyclic() &&
-              std::abs(mesh->get_surface().axis()[motion->second]) < 1 - 1e-9)
-            throw InputError(section + "/Excitations",
-                             excitation,
-                             "a sector with cyclic edges can only move along "
-                             "its axis");
         // beyond, Lanczos' method has no room
         for (const auto &[entry, n] :
              {std::make_pair("/Modes", stage.n_modes),
@@ -278,8 +271,7 @@ namespace Biface
 
 
   StageAnalyses
-  Simulation::make_analyses(BucklingAnalysis   &buckling_analysis,
-                            const Newton::Stop &stop)
+  Simulation::make_analyses(BucklingAnalysis &buckling_analysis)
   {
     const auto with_left = [this](const unsigned int stage) {
       return sensitivities && sensitivities->reads_left_eigenvectors(stage);
@@ -290,7 +282,7 @@ namespace Biface
                     parameters.stages.end(),
                     [](const Stage &stage) { return stage.vibrates(); }))
       analyses.push_back(std::make_shared<FrequencyResponses>(
-        equations, contact, model.air.get(), timer, stop, out));
+        equations, contact, model.air.get(), timer, out));
     if (std::any_of(parameters.stages.begin(),
                     parameters.stages.end(),
                     [](const Stage &stage) { return stage.n_modes > 0; }))
@@ -345,7 +337,7 @@ namespace Biface
                                      : nested  ? *nested
                                                : none,
                                buckling_analysis,
-                               make_analyses(buckling_analysis, stop),
+                               make_analyses(buckling_analysis),
                                out);
     LoadSteppingResult result =
       load_stepping.run(parameters.stages, progress, state, ends, observer);

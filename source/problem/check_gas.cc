@@ -133,6 +133,11 @@ namespace Biface
     refuse(supports.is_cyclic(),
            "for a sector with cyclic edges, of which the waves go around the "
            "whole");
+    // edges of alpha_2, as in Edge
+    refuse(!mesh.closed &&
+             (!supports.is_symmetric(2) || !supports.is_symmetric(3)),
+           "unless the shell is closed around or its edges of alpha_2 are "
+           "planes of symmetry");
     refuse(has_inertia(),
            "with 'Inertia = true', where the pressure of the gas is the same "
            "everywhere");

@@ -28,7 +28,7 @@ namespace Biface
                      const Stage                       &stage,
                      const std::vector<BodyParameters> &all_bodies)
     {
-      if (const auto motion = StageResponse::motion(excitation))
+      if (const auto motion = StageResponse::motion(excitation, stage))
         {
           std::vector<std::string> bodies = stage.bodies;
           if (stage.contact)

@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include <biface/input/parameter_tools.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/quantities/forces_on_shell.h>
 #include <biface/model/quantities/point_displacement.h>
@@ -53,7 +54,7 @@ namespace Biface
       const double sign = (excitation.moves_supports() ? 1 : -1);
       for (unsigned int b = 0; b < system.n_bodies(); ++b)
         if (excitation.moves_supports() ||
-            system.number_of_body(b) == *excitation.body)
+            excitation.bodies.count(system.number_of_body(b)) > 0)
           system.add_contact(b, relative, sign, result.forces);
       if (excitation.moves_supports())
         {
@@ -132,7 +133,7 @@ namespace Biface
       for (unsigned int b = 0; b < system.n_bodies(); ++b)
         {
           Amplitudes relative = moved;
-          if (excitation.body && *excitation.body == system.number_of_body(b))
+          if (excitation.bodies.count(system.number_of_body(b)) > 0)
             relative.add(-1, system.get_translations()[excitation.direction]);
           Amplitudes force = system.zero();
           system.add_contact(b, relative, 1, force);
@@ -153,10 +154,9 @@ namespace Biface
 
 
   FrequencyResponse
-  HarmonicResponse::compute(const State                 &state,
-                            const Loads                 &loads,
-                            const Request               &request,
-                            const std::function<bool()> &stop)
+  HarmonicResponse::compute(const State   &state,
+                            const Loads   &loads,
+                            const Request &request)
   {
     TimerOutput::Scope scope(timer, "Response");
     const ShellMesh   &mesh = equations.mesh;
@@ -183,8 +183,7 @@ namespace Biface
       {
         std::vector<std::vector<FrequencyResponse::Value>> &values =
           result.values.emplace_back(request.excitations.size());
-        std::string             why = (stop && stop() ? "the run was stopped"
-                                                      : system.set_frequency(frequency));
+        std::string             why = system.set_frequency(frequency);
         std::vector<Excited>    excited;
         std::vector<Amplitudes> x;
         if (why.empty())
@@ -210,7 +209,7 @@ namespace Biface
             values[i].assign(result.outputs.size(), unknown);
         if (!why.empty())
           {
-            result.message = why;
+            result.message = why + " (" + number_to_string(frequency) + ")";
             ++result.n_failed;
           }
       }

@@ -391,6 +391,11 @@ namespace Biface
       LA::SparseMatrix    with_supports;
       tangent.assemble(state, loads, with_supports);
       symmetric = tangent.is_symmetric(loads, with_supports) && !loads.rolling;
+      tangent.add_contact_stiffness(state, loads, with_supports);
+      for (const RigidMotion &motion :
+           tangent.neutral_motions(state, loads, with_supports))
+        if (free_motion.empty())
+          free_motion = motion.name;
     }
 
     const Loads alone = FixedContactTangent::without_bodies(loads);
@@ -555,6 +560,8 @@ namespace Biface
   HarmonicSystem::set_frequency(const double frequency)
   {
     omega = 2 * numbers::PI * frequency;
+    if (omega == 0 && !free_motion.empty())
+      return "nothing resists " + free_motion;
     entries->clear();
     for_each_part([&](const Number &factor, const Part &part) {
       entries->add(factor, part);
@@ -715,7 +722,10 @@ namespace Biface
           x[i].add(1, correction[i]);
         rest(largest);
       }
-    return largest < sufficient ? "" : "the solution is not exact";
+    return largest < sufficient
+             ? ""
+             : "the solution is not exact, as in a resonance "
+               "without losses";
   }
 
 

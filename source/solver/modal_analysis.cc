@@ -117,7 +117,7 @@ namespace Biface
   VibrationMode
   ModalAnalysis::finish(const Eigenpair &pair,
                         const Loads     &loads,
-                        const double     part_of_shell) const
+                        const AirInMode &of_air) const
   {
     const ShellMesh &mesh       = equations.mesh;
     const bool       is_complex = pair.imaginary.size() > 0;
@@ -142,11 +142,22 @@ namespace Biface
             square[i] += content * content;
           }
       }
-    mode.part_of_air = 1 - part_of_shell;
-    mode.mass /= part_of_shell;
+    mode.part_of_air = 1 - of_air.part_of_shell;
+    Tensor<1, 3> momentum;
+    if (of_air.momentum.norm() > 0)
+      {
+        // of the shape, a multiple of the vector of the pair
+        LA::Vector of_pair(pair.vector);
+        mass.vmult(of_pair, pair.vector);
+        momentum =
+          std::sqrt(mode.mass / (of_pair * pair.vector)) * of_air.momentum;
+      }
+    mode.mass /= of_air.part_of_shell;
     for (unsigned int i = 0; i < 3; ++i)
       mode.participation[i] =
-        (is_complex ? std::sqrt(square[i]) : mode.participation[i]) / mode.mass;
+        (is_complex ? std::sqrt(square[i])
+                    : mode.participation[i] + momentum[i]) /
+        mode.mass;
     mode.shape = shapes[0];
     if (is_complex)
       mode.imaginary = shapes[1];
@@ -210,10 +221,17 @@ namespace Biface
       return std::sqrt(-shift);
     }
 
-    /** Let the air be part of the vectors. */
-    void
-    add_air(const ShellMesh &mesh, const MassMatrix &mass)
+    /** Let the air be part of the vectors.
+     * @param structural a small eigenvalue of the shell.
+     * @return whether the air is slow enough for that. */
+    bool
+    add_air(const ShellMesh  &mesh,
+            const MassMatrix &mass,
+            const double      structural)
     {
+      // digits that round-off leaves to differences of pressures
+      constexpr double too_fast = 1e8;
+
       air.emplace(mesh, mass, motion_of_air);
       multiply_mass = [this](LA::Vector &product, const LA::Vector &x) {
         air->multiply_mass(product, x);
@@ -226,20 +244,23 @@ namespace Biface
       double       product = 0;
       for (const AirMotion::Section &section : motion_of_air.sections)
         product += section.inertia * motion_of_air.compliances[section.to] / n;
-      shift = -std::pow(2 * numbers::PI / n, 2) / product;
+      const double first = std::pow(2 * numbers::PI / n, 2) / product;
+      shift              = -std::min(first, structural);
+      return first < too_fast * structural;
     }
 
-    /** Leave the shell in vectors with the air.
-     * @param parts that of the shell in the kinetic energy. */
-    void
-    take_air_out(std::vector<Eigenpair> &pairs,
-                 std::vector<double>    &parts) const
+    /** Leave the shell in vectors with the air, which the result has apart. */
+    std::vector<AirInMode>
+    take_air_out(std::vector<Eigenpair> &pairs) const
     {
-      for (unsigned int i = 0; i < pairs.size(); ++i)
+      std::vector<AirInMode> result;
+      for (Eigenpair &pair : pairs)
         {
-          parts[i]        = air->part_of_shell(pairs[i].vector);
-          pairs[i].vector = air->of_shell(pairs[i].vector);
+          result.push_back({air->part_of_shell(pair.vector),
+                            air->momentum_of_air(pair.vector)});
+          pair.vector = air->of_shell(pair.vector);
         }
+      return result;
     }
 
     /** @f$\omega^2@f$ of an eigenvalue, which is @f$\omega@f$ if there are
@@ -481,7 +502,13 @@ namespace Biface
                              problem.neutral[0].name;
             return result;
           }
-        problem.add_air(equations.mesh, mass);
+        if (!problem.add_air(
+              equations.mesh, mass, 1e-6 * largest_eigenvalue(problem.K)))
+          {
+            VibrationModes result;
+            result.message = "'Gas/Sound speed' is too large to matter";
+            return result;
+          }
       }
     const unsigned int n_neutral = problem.neutral.size();
     const Eigenpairs   eigenpairs =
@@ -518,9 +545,9 @@ namespace Biface
       normalize_phases(pairs, problem.multiply_mass, all_fields);
     else
       settle(pairs, problem.multiply_mass, all_fields);
-    std::vector<double> parts_of_shell(pairs.size(), 1.);
+    std::vector<AirInMode> of_air(pairs.size());
     if (problem.air)
-      problem.take_air_out(pairs, parts_of_shell);
+      of_air = problem.take_air_out(pairs);
     std::vector<Eigenpair> left(pairs.size());
     if (with_left)
       left = (result.symmetric ? pairs : find_left(problem, pairs));
@@ -531,7 +558,7 @@ namespace Biface
           left[i] = Eigenpair();
         if (!problem.velocity)
           pairs[i].value = omega_of(pairs[i].value);
-        result.modes.push_back(finish(pairs[i], loads, parts_of_shell[i]));
+        result.modes.push_back(finish(pairs[i], loads, of_air[i]));
         result.modes[i].left = left[i];
       }
     return result;

@@ -105,6 +105,18 @@ namespace Biface
   }
 
 
+  Tensor<1, 3>
+  ShellWithAir::momentum_of_air(const LA::Vector &x) const
+  {
+    const std::vector<double> q = of_air(x);
+    Tensor<1, 3>              momentum;
+    for (unsigned int j = 0; j < q.size(); ++j)
+      momentum += q[j] * air.sections[j].inertia * air.sections[j].area *
+                  air.sections[j].direction;
+    return momentum;
+  }
+
+
   LA::Vector
   ShellWithAir::gradient(const unsigned int piece) const
   {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <biface/model/contact/contact_interaction.h>
+#include <biface/model/contact/contact_pair.h>
 #include <biface/stepping/frequency_responses.h>
 #include <biface/stepping/stage_run.h>
 
@@ -31,18 +33,23 @@ namespace Biface
 
 
     Excitation
-    excitation_of(const std::string &name,
-                  const Stage       &stage,
-                  const Loads       &loads)
+    excitation_of(const std::string        &name,
+                  const Stage              &stage,
+                  const Loads              &loads,
+                  const ContactInteraction &contact)
     {
       Excitation result;
       result.name = name;
-      if (const auto motion = StageResponse::motion(name))
+      if (const auto motion = StageResponse::motion(name, stage))
         {
           result.direction = motion->second;
-          for (const auto &[number, body] : loads.bodies)
-            if (motion->first == (number == 0 ? "ground" : body.name))
-              result.body = number;
+          for (const auto &pair : contact.pairs)
+            if (const PlacedBody *const body = pair->body(loads))
+              if (motion->first ==
+                    (pair->number == 0 ? "ground" : body->name) ||
+                  (motion->first == "ground" &&
+                   pair->moving_body.is_on_ground()))
+                result.bodies.insert(pair->number);
           return result;
         }
       LoadRates rates;
@@ -70,9 +77,10 @@ namespace Biface
     request.losses      = {
            stage.loss_factor, stage.damping_in_time, report.level.temperature};
     for (const std::string &name : stage.excitations)
-      request.excitations.push_back(excitation_of(name, stage, *report.loads));
+      request.excitations.push_back(
+        excitation_of(name, stage, *report.loads, run.contact));
     auto result = std::make_shared<const FrequencyResponse>(
-      response.compute(run.state, *report.loads, request, stop));
+      response.compute(run.state, *report.loads, request));
     out << "  response at " << result->frequencies.size() << " frequencies to "
         << result->excitations.size()
         << (result->excitations.size() == 1 ? " excitation" : " excitations")

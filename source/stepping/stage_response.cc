@@ -45,17 +45,20 @@ namespace Biface
 
 
   std::optional<std::pair<std::string, unsigned int>>
-  StageResponse::motion(const std::string &excitation)
+  StageResponse::motion(const std::string &excitation, const StageLoads &loads)
   {
     const std::size_t blank = excitation.rfind(' ');
     if (blank == std::string::npos || blank + 2 != excitation.size())
       return {};
     const std::size_t direction =
       std::string("xyz").find(excitation[blank + 1]);
-    if (direction == std::string::npos)
+    const std::string body = excitation.substr(0, blank);
+    if (direction == std::string::npos ||
+        (body != "ground" && body != "supports" &&
+         std::find(loads.bodies.begin(), loads.bodies.end(), body) ==
+           loads.bodies.end()))
       return {};
-    return std::make_pair(excitation.substr(0, blank),
-                          static_cast<unsigned int>(direction));
+    return std::make_pair(body, static_cast<unsigned int>(direction));
   }
 
 
@@ -72,7 +75,7 @@ namespace Biface
   {
     for (const std::string &name : excitations)
       {
-        if (motion(name) || name == "pressure" || name == "load factor")
+        if (motion(name, loads) || name == "pressure" || name == "load factor")
           continue;
         // the factor of the longest name that includes these loads, or the
         // common one

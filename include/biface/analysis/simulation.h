@@ -133,8 +133,7 @@ namespace Biface
 
     /** Create what accompanies the stages. */
     StageAnalyses
-    make_analyses(BucklingAnalysis   &buckling_analysis,
-                  const Newton::Stop &stop);
+    make_analyses(BucklingAnalysis &buckling_analysis);
 
     /** Run all stages on the coarser mesh, and record the states of its steps.
      */

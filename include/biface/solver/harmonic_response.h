@@ -7,8 +7,8 @@
 
 #include <array>
 #include <complex>
-#include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,9 +24,9 @@ namespace Biface
     std::string name;
     /** The loads; none if something moves. */
     std::optional<LoadRates> loads;
-    /** The number of the ContactPair of the body that moves; none if the
-     * supports do. */
-    std::optional<unsigned int> body;
+    /** The numbers of the ContactPairs of the body that moves, and of those
+     * that move with it; none if the supports do. */
+    std::set<unsigned int> bodies;
     /** The direction of the motion, 0, 1, 2 for x, y, z. */
     unsigned int direction = 0;
 
@@ -34,7 +34,7 @@ namespace Biface
     bool
     moves_supports() const
     {
-      return !loads && !body;
+      return !loads && bodies.empty();
     }
   };
 
@@ -101,14 +101,9 @@ namespace Biface
     };
 
     /** Compute the response about a converged state. Must be called on all
-     * ranks.
-     * @param stop asked before each frequency, on all ranks with the same
-     * answer; the frequencies left are not computed, and their values nan. */
+     * ranks. */
     FrequencyResponse
-    compute(const State                 &state,
-            const Loads                 &loads,
-            const Request               &request,
-            const std::function<bool()> &stop = {});
+    compute(const State &state, const Loads &loads, const Request &request);
 
   private:
     ShellEquations           &equations;

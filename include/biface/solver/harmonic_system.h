@@ -250,6 +250,9 @@ namespace Biface
     const HarmonicLosses &losses;
     State                 shape_of_tangent;
     double                omega = 0;
+    /** The first rigid motion that nothing resists, in words; empty for none.
+     */
+    std::string free_motion;
 
     /** No constraints, of which the parts are. */
     dealii::AffineConstraints<double> none;

@@ -179,6 +179,15 @@ namespace Biface
   private:
     struct Problem;
 
+    /** The air in a mode whose vector is that of the shell alone. */
+    struct AirInMode
+    {
+      /** The part of the shell in the kinetic energy. */
+      double part_of_shell = 1;
+      /** The momentum if the vector with the air is a velocity. Unit: mass. */
+      dealii::Tensor<1, 3> momentum = {};
+    };
+
     Problem
     assemble(const State &state, const Loads &loads);
 
@@ -213,12 +222,11 @@ namespace Biface
 
     /** The mode of an eigenpair, in which the value is @f$\omega@f$.
      * @param pair with @f$\omega@f$ for the eigenvalue.
-     * @param part_of_shell in the kinetic energy, see
-     * VibrationMode::part_of_air. */
+     * @param of_air what the pair lacks. */
     VibrationMode
     finish(const Eigenpair &pair,
            const Loads     &loads,
-           const double     part_of_shell) const;
+           const AirInMode &of_air) const;
 
     /** The left eigenvectors of the pairs @p right, with the factors at
      * hand. */

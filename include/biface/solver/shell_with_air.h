@@ -70,6 +70,10 @@ namespace Biface
     double
     part_of_shell(const LA::Vector &x) const;
 
+    /** The momentum of the air along x, y and z if the vector is a velocity. */
+    dealii::Tensor<1, 3>
+    momentum_of_air(const LA::Vector &x) const;
+
     /** Solve a system of the shell alone, and return whether this succeeded. */
     using Solve = std::function<bool(LA::Vector &x, const LA::Vector &b)>;
 

@@ -6,7 +6,6 @@
 #include <deal.II/base/conditional_ostream.h>
 
 #include <biface/solver/harmonic_response.h>
-#include <biface/solver/newton.h>
 #include <biface/stepping/stage_analysis.h>
 
 namespace Biface
@@ -17,15 +16,13 @@ namespace Biface
   {
   public:
     /** The objects are kept by reference.
-     * @param air see HarmonicResponse.
-     * @param stop see HarmonicResponse::compute(). */
+     * @param air see HarmonicResponse. */
     FrequencyResponses(ShellEquations             &equations,
                        const ContactInteraction   &contact,
                        const AirColumn            *air,
                        dealii::TimerOutput        &timer,
-                       const Newton::Stop         &stop,
                        dealii::ConditionalOStream &out)
-      : response(equations, contact, air, timer), stop(stop), out(out)
+      : response(equations, contact, air, timer), out(out)
     {}
 
     void
@@ -33,7 +30,6 @@ namespace Biface
 
   private:
     HarmonicResponse            response;
-    const Newton::Stop          stop;
     dealii::ConditionalOStream &out;
   };
 } // namespace Biface

@@ -35,11 +35,10 @@ namespace Biface
     }
 
     /** The body and the direction, 0, 1, 2 for x, y, z, of an excitation by a
-     * motion, such as "ground z"; nothing if its last word is no direction, so
-     * that it is the name of a load. The body is "ground", "supports" or the
-     * name of one of the bodies. */
+     * motion, such as "ground z"; nothing for the name of a load. The body is
+     * "ground", "supports" or one of those of the stage. */
     static std::optional<std::pair<std::string, unsigned int>>
-    motion(const std::string &excitation);
+    motion(const std::string &excitation, const StageLoads &loads);
 
     /** Whether an excitation has this name. */
     bool

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include <biface/base/errors.h>
 #include <biface/element/follower_pressure.h>
 #include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
@@ -44,7 +45,14 @@ namespace Biface
   {
     if (sound_speed)
       check_positive("Gas/Sound speed", *sound_speed);
-    check_positive("Gas/Adiabatic exponent", exponent);
+    if (!(exponent >= 1 && exponent <= 2))
+      throw InputError("Gas/Adiabatic exponent",
+                       number_to_string(exponent),
+                       "it must be from 1 to 2");
+    if (!sound_speed && exponent != Parameters().exponent)
+      throw InputError("Gas/Adiabatic exponent",
+                       number_to_string(exponent),
+                       "it needs a 'Sound speed'");
   }
 
 
