@@ -69,8 +69,8 @@ namespace Biface
    * called on all ranks.
    * @param displacement gives the positions of the faces; with the entries of
    * all nodes of this rank.
-   * @param missing the missing forces on owned unknowns, regardless of supports;
-   * only those at supports matter. */
+   * @param missing the missing forces on owned unknowns, regardless of
+   * supports; only those at supports matter. */
   std::vector<ForceOnShell>
   forces_of_supports(const ShellMesh  &mesh,
                      const LA::Vector &displacement,
