@@ -12,16 +12,6 @@ namespace Biface
 {
   namespace
   {
-    std::string
-    listed(const std::vector<std::string> &names)
-    {
-      std::string text;
-      for (const std::string &name : names)
-        text += ", '" + name + "'";
-      return text;
-    }
-
-
     void
     check_excitation(const std::string                 &excitation,
                      const std::string                 &entry,
@@ -34,12 +24,15 @@ namespace Biface
           if (stage.contact)
             bodies.insert(bodies.begin(), "ground");
           bodies.push_back("supports");
+          std::string there;
+          for (const std::string &body : bodies)
+            there += ", '" + body + "'";
           if (std::find(bodies.begin(), bodies.end(), motion->first) ==
               bodies.end())
             throw InputError(entry,
                              excitation,
                              "what moves must be there in the stage: " +
-                               listed(bodies).substr(2));
+                               there.substr(2));
           return;
         }
       if (excitation == "load factor" || excitation.rfind("bodies", 0) == 0)

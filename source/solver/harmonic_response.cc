@@ -65,7 +65,7 @@ namespace Biface
     }
 
 
-    /** The names of FrequencyResponse::outputs in the order of measure(). */
+    /** The names of FrequencyResponse::outputs in the order of outputs_at(). */
     std::vector<FrequencyResponse::Output>
     outputs_of(const HarmonicSystem &system, const ShellMesh &mesh)
     {
@@ -95,11 +95,11 @@ namespace Biface
 
     /** The outputs of a solution. */
     std::vector<FrequencyResponse::Value>
-    measure(const HarmonicSystem &system,
-            const ShellMesh      &mesh,
-            const Excitation     &excitation,
-            const Excited        &excited,
-            const Amplitudes     &solution)
+    outputs_at(const HarmonicSystem &system,
+               const ShellMesh      &mesh,
+               const Excitation     &excitation,
+               const Excited        &excited,
+               const Amplitudes     &solution)
     {
       Amplitudes u = solution;
       u.real += excited.prescribed;
@@ -203,8 +203,8 @@ namespace Biface
           }
         for (unsigned int i = 0; i < request.excitations.size(); ++i)
           if (why.empty())
-            values[i] =
-              measure(system, mesh, request.excitations[i], excited[i], x[i]);
+            values[i] = outputs_at(
+              system, mesh, request.excitations[i], excited[i], x[i]);
           else
             values[i].assign(result.outputs.size(), unknown);
         if (!why.empty())
