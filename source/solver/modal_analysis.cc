@@ -172,7 +172,7 @@ namespace Biface
   namespace
   {
     // what an iterative solver may leave, relative to the right hand side
-    constexpr double exactness = 1e-12;
+    constexpr double left_by_iterations = 1e-12;
 
 
     /** @param matrix is kept by reference. */
@@ -329,7 +329,7 @@ namespace Biface
   {
     const bool transposed   = (system == LinearSystem::transposed);
     const auto solve_matrix = [&](LA::Vector &x, const LA::Vector &b) {
-      linear = linear_solver.solve_system(system, x, b, exactness);
+      linear = linear_solver.solve_system(system, x, b, left_by_iterations);
       return linear.success;
     };
     // the factors know neither the gas nor the motions to be left out, which
