@@ -76,7 +76,7 @@ shaker.prm on 60 even cells around (sound at 343 m/s, 0.15 MPa):
 {split}
 
 Measured on passenger car tires, the splits at the rated load are 4 to 14 Hz, with the fore-aft mode below the vertical one, and nearly proportional to the square of the
-load @cite ChoiBolton2020 . Nothing here is fitted. Modes of the wall next to the waves exchange energy with them and move them by some Hz; the table has the two modes with
+load @cite ChoiBolton2020 . That of this bias tire, which is softer and flattens more, grows with about the power {power} of the load. Modes of the wall next to the waves exchange energy with them and move them by some Hz; the table has the two modes with
 most of the air's energy.
 
 ![Frequencies of the first wave of the air over the load](figures/frequency_response_split.png)
@@ -250,6 +250,9 @@ def split(runs, pictures):
         drawn.append((load, f, part))
         rows.append([f"{travel}", f"{load:.0f}", f"{f[0]:.2f} ({100 * part[0]:.0f} %)",
                      f"{f[1]:.2f} ({100 * part[1]:.0f} %)", f"{f[1] - f[0]:.2f}"])
+    first, last = drawn[3], drawn[-1]
+    power = (math.log((last[1][1] - last[1][0]) / (first[1][1] - first[1][0]))
+             / math.log(last[0] / first[0]))
     plt.rcParams.update(STYLE)
     figure, axes = plt.subplots(figsize=(5.2, 3.4), layout="constrained")
     for i, (color, label) in enumerate(((BLUE, "vertical"), (RED, "to and fro"))):
@@ -258,7 +261,7 @@ def split(runs, pictures):
     axes.set(xlabel="load (N)", ylabel="frequency (Hz)")
     axes.legend(fontsize=9)
     save(figure, pictures / "frequency_response_split.png")
-    return {"split": table(["travel, mm", "load, N", "to and fro, Hz (part of the air)",
+    return {"power": f"{power:.1f}", "split": table(["travel, mm", "load, N", "to and fro, Hz (part of the air)",
                             "vertical, Hz", "split, Hz"], rows)}
 
 
