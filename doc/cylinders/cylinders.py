@@ -361,7 +361,7 @@ def write(path, shapes, data):
         Z15_measured.FC_A and so on in a [collection](references.bib#ImperfectionDataFourier) on GitHub. It has no
         license, so that neither the numbers nor a download of them are part of this project; the folder
         in which they are is an entry of CMake. Radii, thicknesses and elastic constants are those of
-        [DESICOS 2015](references.bib#DESICOS2015): four plies at 24, -24, 41, -41 degrees from the inside, 500 mm
+        [DESICOS 2015](references.bib#DESICOS2015), four plies at 24, -24, 41, -41 degrees from the inside, 500 mm
         long, E_L = 142500 MPa, E_T = 8700, nu = 0.28, G = 5100; the shear across the fibers of the plane,
         nu_TT = 0.4, is assumed. Both ends are clamped. The runs are those of
         [imperfect_cylinder.prm](../prm/imperfect_cylinder.prm) with other entries, about ten minutes on a core."""),
