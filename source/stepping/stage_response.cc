@@ -142,6 +142,8 @@ namespace Biface
   {
     check_not_negative(section + "/Loss factor", loss_factor);
     check_at_most(section + "/Loss factor", loss_factor, 2);
+    for (const double frequency : frequencies)
+      check_not_negative(section + "/Frequency response", frequency);
     if (!vibrates())
       {
         if (!excitations.empty())
@@ -163,7 +165,5 @@ namespace Biface
     for (const std::string &name : excitations)
       if (!names.insert(name).second)
         throw InputError(section + "/Excitations", name, "it is named twice");
-    for (const double frequency : frequencies)
-      check_not_negative(section + "/Frequency response", frequency);
   }
 } // namespace Biface
