@@ -2,7 +2,9 @@
 """Common parts of the tests of biface-report."""
 
 import atexit
+import contextlib
 import csv
+import io
 import math
 import os
 import shutil
@@ -49,6 +51,29 @@ def run_command(name, *words):
     done = subprocess.run([BUILD / name, *words], capture_output=True, text=True,
                           check=False)
     return done.returncode, done.stdout, done.stderr
+
+
+def run_here(main, *words):
+    """Runs the main function of a program without the time that a new process takes;
+    returns its exit code, its output, its error messages."""
+    output, errors = io.StringIO(), io.StringIO()
+    with contextlib.redirect_stdout(output), contextlib.redirect_stderr(errors):
+        try:
+            code = main([str(word) for word in words])
+        except SystemExit as end:
+            code = end.code
+    return code, output.getvalue(), errors.getvalue()
+
+
+def check_refused_by(name, outcome, sentence, what):
+    """Checks that a program has refused its words with one sentence.
+    outcome: see run_here(); what: the words."""
+    code, output, errors = outcome
+    check(code == 1 and output == "",
+          f"{what}: the exit code is {code}: {output}{errors}")
+    check(sentence in errors and errors.startswith(f"{name}: ")
+          and errors.count("\n") == 1 and errors.endswith(".\n"),
+          f"{what}: '{sentence}' is not told in one sentence: {errors}")
 
 
 def copy_of(run):

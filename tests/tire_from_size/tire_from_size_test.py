@@ -1,31 +1,23 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Common parts of the tests of biface-tire."""
 
-import contextlib
-import io
 import os
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(os.environ["BIFACE_SOURCE"]) / "tests/report"))
 
-from report_test import PACKAGE, SOURCE, check, require, run_command, scratch
+from report_test import (PACKAGE, SOURCE, check, check_refused_by, require, run_command,
+                         run_here, scratch)
 
 sys.path.insert(0, str(PACKAGE))
 require("numpy", "scipy")
 
 
 def tire(*words):
-    """Runs biface-tire without the time that a new process takes; returns its exit code,
-    its output, its error messages."""
+    """Runs biface-tire, see run_here()."""
     from biface_tire.program import main
-    output, errors = io.StringIO(), io.StringIO()
-    with contextlib.redirect_stdout(output), contextlib.redirect_stderr(errors):
-        try:
-            code = main([str(word) for word in words])
-        except SystemExit as end:
-            code = end.code
-    return code, output.getvalue(), errors.getvalue()
+    return run_here(main, *words)
 
 
 def output_of(*words):
@@ -37,11 +29,7 @@ def output_of(*words):
 
 def check_refused(words, sentence):
     """Checks that words of the command line are refused with one sentence."""
-    code, output, errors = tire(*words)
-    check(code == 1 and output == "", f"{words}: the exit code is {code}: {output}{errors}")
-    check(sentence in errors and errors.startswith("biface-tire: ")
-          and errors.count("\n") == 1 and errors.endswith(".\n"),
-          f"{words}: '{sentence}' is not told in one sentence: {errors}")
+    check_refused_by("biface-tire", tire(*words), sentence, words)
 
 
 def check_close(computed, expected, tolerance, what):

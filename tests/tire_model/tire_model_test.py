@@ -1,15 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Common parts of the tests of biface-tire-model."""
 
-import contextlib
-import io
 import os
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(os.environ["BIFACE_SOURCE"]) / "tests/report"))
 
-from report_test import PACKAGE, SOURCE, check, require, run_command, scratch
+from report_test import (PACKAGE, SOURCE, check, check_refused_by, require, run_command,
+                         run_here, scratch)
 
 sys.path.insert(0, str(PACKAGE))
 
@@ -36,22 +35,12 @@ def output_of(*words):
 def tire_model_here(*words):
     """The same without the time that a new process takes."""
     from biface_tire_model.program import main
-    output, errors = io.StringIO(), io.StringIO()
-    with contextlib.redirect_stdout(output), contextlib.redirect_stderr(errors):
-        try:
-            code = main([str(word) for word in words])
-        except SystemExit as end:
-            code = end.code
-    return code, output.getvalue(), errors.getvalue()
+    return run_here(main, *words)
 
 
 def check_refused(words, sentence):
     """Checks that words of the command line are refused with a sentence."""
-    code, output, errors = tire_model_here(*words)
-    check(code == 1 and output == "", f"the exit code is {code}: {output}")
-    check(sentence in errors and errors.startswith("biface-tire-model: ")
-          and errors.count("\n") == 1 and errors.endswith(".\n"),
-          f"'{sentence}' is not told in one sentence: {errors}")
+    check_refused_by("biface-tire-model", tire_model_here(*words), sentence, words)
 
 
 def write(name, text):
