@@ -240,8 +240,7 @@ namespace Biface
           for (const auto &[i, weight] : free_unknowns(dof))
             add_pair(n + c, i, -weight * value);
       // the unknowns of the air are those of the last rank
-      if (Utilities::MPI::this_mpi_process(mesh.communicator) + 1 <
-          Utilities::MPI::n_mpi_processes(mesh.communicator))
+      if (!AirMotion::is_on_this_rank(mesh.communicator))
         return;
       for (unsigned int c = 0; c < n_air; ++c)
         {
@@ -372,11 +371,12 @@ namespace Biface
     , none(mesh.locally_relevant)
   {
     none.close();
+    const auto motions = rigid_motions(mesh);
     for (unsigned int i = 0; i < 3; ++i)
       {
-        const std::vector<double> motion = rigid_motions(mesh)[i];
         translations.push_back(mesh.owned_vector());
-        std::copy(motion.begin(), motion.end(), translations.back().begin());
+        std::copy(
+          motions[i].begin(), motions[i].end(), translations.back().begin());
       }
 
     // where stresses relax, the elastic law, which is the instantaneous one
@@ -451,9 +451,7 @@ namespace Biface
       if (part.positions.empty())
         part.positions = entries->positions(part);
     });
-    const bool is_last =
-      Utilities::MPI::this_mpi_process(mesh.communicator) + 1 ==
-      Utilities::MPI::n_mpi_processes(mesh.communicator);
+    const bool         is_last = AirMotion::is_on_this_rank(mesh.communicator);
     const unsigned int n_of_air =
       (is_last ? air.compliances.size() + air.sections.size() : 0);
     solver = std::make_unique<ComplexSolver>(mesh.communicator,
@@ -547,12 +545,7 @@ namespace Biface
     // relative to the first wave
     constexpr double negligible = 1e-10;
 
-    const double n       = air.compliances.size();
-    double       product = 0;
-    for (const AirMotion::Section &section : air.sections)
-      product += section.inertia * air.compliances[section.to] / n;
-    const double first = std::pow(2 * numbers::PI / n, 2) / product;
-    return -std::max(omega * omega, negligible * first);
+    return -std::max(omega * omega, negligible * air.first_wave());
   }
 
 
@@ -593,14 +586,14 @@ namespace Biface
     Utilities::MPI::sum(expansion, mesh.communicator, expansion);
     for (unsigned int c = 0; c < n; ++c)
       result.air[c] = -expansion[c] - air.compliances[c] * u.air[c];
+    const double of_inertia = (has_air() ? factor_of_inertia_of_air() : 0);
     for (unsigned int j = 0; j < air.sections.size(); ++j)
       {
         const AirMotion::Section &section = air.sections[j];
         result.air[section.from] -= u.air[n + j];
         result.air[section.to] += u.air[n + j];
-        result.air[n + j] =
-          factor_of_inertia_of_air() * section.inertia * u.air[n + j] -
-          u.air[section.from] + u.air[section.to];
+        result.air[n + j] = of_inertia * section.inertia * u.air[n + j] -
+                            u.air[section.from] + u.air[section.to];
       }
     for (LA::Vector *part : {&result.real, &result.imaginary})
       part->compress(VectorOperation::add);
@@ -625,9 +618,7 @@ namespace Biface
   {
     const unsigned int n = x.size(), m = low_rank.size(),
                        n_own = mesh.locally_owned.n_elements();
-    const bool is_last =
-      Utilities::MPI::this_mpi_process(mesh.communicator) + 1 ==
-      Utilities::MPI::n_mpi_processes(mesh.communicator);
+    const bool is_last       = AirMotion::is_on_this_rank(mesh.communicator);
     std::vector<ComplexSolver::Vector> b;
     const auto                         add_own = [&](const Amplitudes &forces) {
       b.emplace_back();
@@ -746,12 +737,15 @@ namespace Biface
   HarmonicSystem::add_inertia_of_air(const unsigned int direction,
                                      Amplitudes        &forces) const
   {
-    const unsigned int n = air.compliances.size();
+    if (!has_air())
+      return;
+    const unsigned int n          = air.compliances.size();
+    const double       of_inertia = factor_of_inertia_of_air();
     for (unsigned int j = 0; j < air.sections.size(); ++j)
       {
         const AirMotion::Section &section = air.sections[j];
-        forces.air[n + j] -= factor_of_inertia_of_air() * section.inertia *
-                             section.area * section.direction[direction];
+        forces.air[n + j] -= of_inertia * section.inertia * section.area *
+                             section.direction[direction];
       }
   }
 

@@ -240,11 +240,7 @@ namespace Biface
         deflation.emplace(circulation, multiply_mass);
       // the matrix of the air at rest is singular: a shift of the order of the
       // first wave
-      const double n       = motion_of_air.compliances.size();
-      double       product = 0;
-      for (const AirMotion::Section &section : motion_of_air.sections)
-        product += section.inertia * motion_of_air.compliances[section.to] / n;
-      const double first = std::pow(2 * numbers::PI / n, 2) / product;
+      const double first = motion_of_air.first_wave();
       shift              = -std::min(first, structural);
       return first < too_fast * structural;
     }

@@ -17,8 +17,7 @@ namespace Biface
     , mass(mass)
     , air(air)
     , owned(mesh.locally_owned.size() + air.sections.size())
-    , is_last(Utilities::MPI::this_mpi_process(mesh.communicator) + 1 ==
-              Utilities::MPI::n_mpi_processes(mesh.communicator))
+    , is_last(AirMotion::is_on_this_rank(mesh.communicator))
   {
     owned.add_indices(mesh.locally_owned);
     if (is_last)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/numbers.h>
 #include <deal.II/base/quadrature_lib.h>
 
 #include <array>
@@ -53,6 +54,25 @@ namespace Biface
       throw InputError("Gas/Adiabatic exponent",
                        number_to_string(exponent),
                        "it needs a 'Sound speed'");
+  }
+
+
+  double
+  AirMotion::first_wave() const
+  {
+    const double n       = compliances.size();
+    double       product = 0;
+    for (const Section &section : sections)
+      product += section.inertia * compliances[section.to] / n;
+    return std::pow(2 * numbers::PI / n, 2) / product;
+  }
+
+
+  bool
+  AirMotion::is_on_this_rank(const MPI_Comm communicator)
+  {
+    return Utilities::MPI::this_mpi_process(communicator) + 1 ==
+           Utilities::MPI::n_mpi_processes(communicator);
   }
 
 

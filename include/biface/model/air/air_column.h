@@ -52,6 +52,15 @@ namespace Biface
     /** Whether the column is closed around the axis, so that the air can
      * circulate. */
     bool is_closed = false;
+
+    /** An estimate of @f$\omega^2@f$ of the first wave around a closed, rigid
+     * column. */
+    double
+    first_wave() const;
+
+    /** Whether the unknowns of the air are those of this rank: the last one. */
+    static bool
+    is_on_this_rank(const MPI_Comm communicator);
   };
 
 
