@@ -3,8 +3,6 @@
 #ifndef biface_tests_fuzz_fuzz_h
 #define biface_tests_fuzz_fuzz_h
 
-#include <deal.II/base/mpi.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -13,24 +11,17 @@
 
 #include <biface/base/errors.h>
 
-/** Called for each input by libFuzzer, or by replay.cc in its place. */
-extern "C" int
-LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size);
-
-/** Called first. */
+/** Called first by libFuzzer, or by replay.cc in its place: the first argument
+ * names the readers. */
 extern "C" int
 LLVMFuzzerInitialize(int *argc, char ***argv);
 
+/** Called for each input. */
+extern "C" int
+LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size);
+
 namespace Fuzz
 {
-  /** Set up MPI for the rest of the program. */
-  inline void
-  initialize_mpi(int *argc, char ***argv)
-  {
-    static dealii::Utilities::MPI::MPI_InitFinalize mpi(*argc, *argv, 1);
-  }
-
-
   /**
    * Call a reader. It may refuse @p input with one plain sentence; anything
    * else aborts the program.

@@ -7,21 +7,20 @@
 
 #include "fuzz.h"
 
-extern "C" int
-LLVMFuzzerInitialize(int *, char ***)
+namespace Fuzz::Formulas
 {
-  return 0;
-}
+  void
+  initialize()
+  {}
 
 
-extern "C" int
-LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
-{
-  const std::string input(reinterpret_cast<const char *>(data), size);
-  Fuzz::read(input, [&]() {
-    const Biface::Formula formula("entry", input, {"x", "alpha_1", "table"});
-    formula({1.5, -120, 0});
-    formula({0, 0, 0});
-  });
-  return 0;
-}
+  void
+  try_input(const std::string &input)
+  {
+    read(input, [&]() {
+      const Biface::Formula formula("entry", input, {"x", "alpha_1", "table"});
+      formula({1.5, -120, 0});
+      formula({0, 0, 0});
+    });
+  }
+} // namespace Fuzz::Formulas

@@ -10,41 +10,41 @@
 
 #include "fuzz.h"
 
-using namespace Biface;
-
-namespace
+namespace Fuzz::StudyFiles
 {
-  Parameters               base;
-  dealii::ParameterHandler base_prm;
-} // namespace
+  using namespace Biface;
+
+  namespace
+  {
+    Parameters               base;
+    dealii::ParameterHandler base_prm;
+  } // namespace
 
 
-extern "C" int
-LLVMFuzzerInitialize(int *argc, char ***argv)
-{
-  Fuzz::initialize_mpi(argc, argv);
-  parse_parameters(PRM_DIR "/bias_tire.prm", {}, MPI_COMM_SELF, base, base_prm);
-  return 0;
-}
+  void
+  initialize()
+  {
+    parse_parameters(
+      PRM_DIR "/bias_tire.prm", {}, MPI_COMM_SELF, base, base_prm);
+  }
 
 
-extern "C" int
-LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
-{
-  const std::string input(reinterpret_cast<const char *>(data), size);
-  Fuzz::read(input, [&]() {
-    StudyParameters          study;
-    dealii::ParameterHandler prm;
-    study.add_parameters(prm);
-    const std::string text = join_lines("study.prm", input);
-    check_parameter_text("study.prm", text);
-    parse_parameter_text(prm, "study.prm", text);
-    if (study.sampling.type == Sampling::Type::file)
-      return;
-    const auto samples = study.sampling.samples("", MPI_COMM_SELF);
-    settings(study.sampling.variables, samples[0], base_prm, "--study");
-    for (const DesignVariable &variable : study.sampling.variables)
-      variable.value(base_prm);
-  });
-  return 0;
-}
+  void
+  try_input(const std::string &input)
+  {
+    read(input, [&]() {
+      StudyParameters          study;
+      dealii::ParameterHandler prm;
+      study.add_parameters(prm);
+      const std::string text = join_lines("study.prm", input);
+      check_parameter_text("study.prm", text);
+      parse_parameter_text(prm, "study.prm", text);
+      if (study.sampling.type == Sampling::Type::file)
+        return;
+      const auto samples = study.sampling.samples("", MPI_COMM_SELF);
+      settings(study.sampling.variables, samples[0], base_prm, "--study");
+      for (const DesignVariable &variable : study.sampling.variables)
+        variable.value(base_prm);
+    });
+  }
+} // namespace Fuzz::StudyFiles
