@@ -7,10 +7,12 @@
 
 #include <biface/base/errors.h>
 #include <biface/contact/body_parameters.h>
+#include <biface/contact/body_shapes.h>
 #include <biface/contact/formula_surface.h>
 #include <biface/contact/friction.h>
 #include <biface/contact/height_field.h>
 #include <biface/contact/implicit_body.h>
+#include <biface/contact/rigid_body.h>
 #include <biface/input/entry_declarations.h>
 #include <biface/input/named_numbers.h>
 #include <biface/input/parameter_tools.h>

@@ -90,22 +90,20 @@ namespace Biface
   }
 
 
-  ContactCondition::Parameters
-  TreadParameters::with_tread(ContactCondition::Parameters condition) const
+  std::optional<double>
+  TreadParameters::across(const std::optional<double> &penalty_stiffness) const
   {
-    if (height)
-      condition.penalty_stiffness =
-        in_series(condition.penalty_stiffness, normal_stiffness());
-    return condition;
+    return height ? in_series(penalty_stiffness, normal_stiffness())
+                  : penalty_stiffness;
   }
 
 
-  FrictionLaw::Parameters
-  TreadParameters::with_tread(FrictionLaw::Parameters friction) const
+  std::optional<double>
+  TreadParameters::along(
+    const std::optional<double> &tangential_stiffness) const
   {
-    if (height)
-      friction.tangential_stiffness =
-        in_series(friction.tangential_stiffness, tangential_stiffness());
-    return friction;
+    return height
+             ? in_series(tangential_stiffness, this->tangential_stiffness())
+             : tangential_stiffness;
   }
 } // namespace Biface

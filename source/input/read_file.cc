@@ -18,6 +18,7 @@
 #include <utility>
 
 #include <biface/base/errors.h>
+#include <biface/input/pairs_file.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/input/read_file.h>
 

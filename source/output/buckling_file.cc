@@ -5,6 +5,7 @@
 #include <biface/output/buckling_file.h>
 #include <biface/output/csv.h>
 #include <biface/stepping/buckling.h>
+#include <biface/stepping/stage.h>
 
 namespace Biface
 {

@@ -11,6 +11,7 @@
 #include <biface/output/buckling_shapes_file.h>
 #include <biface/output/csv.h>
 #include <biface/stepping/buckling.h>
+#include <biface/stepping/stage.h>
 #include <biface/surface/reference_surface.h>
 
 namespace Biface

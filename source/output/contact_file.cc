@@ -6,6 +6,7 @@
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/quantities/face_stretch.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/placed_body.h>
 #include <biface/output/contact_file.h>
 #include <biface/output/csv.h>
 #include <biface/surface/reference_surface.h>
@@ -34,11 +35,12 @@ namespace Biface
     const ShellMesh        &mesh    = equations.mesh;
     const ReferenceSurface &surface = mesh.get_surface();
     // of a stage without ground, the table is empty
-    std::map<unsigned int, PlacedBody> bodies = report.loads->bodies;
+    const auto bodies = report.loads->bodies;
     if (bodies.count(0) == 0)
       write_csv(path(report.step), header, {}, communicator);
-    for (const auto &[number, body] : bodies)
+    for (const auto &[number, placed] : bodies)
       {
+        const PlacedBody  &body = *placed;
         const ContactState zone = contact_at_nodes(mesh, state, number, body);
         const LA::Vector   stretch =
           area_stretch(mesh, state.displacement, body.face);

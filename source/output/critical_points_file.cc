@@ -5,6 +5,7 @@
 #include <biface/output/critical_points_file.h>
 #include <biface/output/csv.h>
 #include <biface/stepping/critical_point.h>
+#include <biface/stepping/stage.h>
 
 namespace Biface
 {

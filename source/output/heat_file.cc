@@ -7,6 +7,7 @@
 #include <biface/output/csv.h>
 #include <biface/output/heat_file.h>
 #include <biface/output/rolling_file.h>
+#include <biface/stepping/stage.h>
 #include <biface/surface/reference_surface.h>
 
 namespace Biface
@@ -24,10 +25,10 @@ namespace Biface
   void
   HeatFile::write(const StepReport &report, const State & /*state*/)
   {
-    const ShellMesh          &mesh  = equations.mesh;
-    const RollingHeat::Field &heat  = *report.heat;
-    const auto               &plies = mesh.get_layup().get_plies();
-    const auto                line  = [&](const unsigned int i) {
+    const ShellMesh   &mesh  = equations.mesh;
+    const HeatOfPlies &heat  = *report.heat;
+    const auto        &plies = mesh.get_layup().get_plies();
+    const auto         line  = [&](const unsigned int i) {
       return csv_number(mesh.grid.lines[0][i] /
                         mesh.get_surface().coordinate_unit(0));
     };

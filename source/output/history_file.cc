@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <biface/contact/rigid_body.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/laminate/layup.h>
 #include <biface/model/state/loads.h>

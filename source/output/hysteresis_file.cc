@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <string>
 
+#include <biface/contact/rolling.h>
 #include <biface/laminate/layup.h>
 #include <biface/model/state/loads.h>
 #include <biface/output/csv.h>
 #include <biface/output/hysteresis_file.h>
 #include <biface/output/rolling_file.h>
+#include <biface/stepping/stage.h>
 
 namespace Biface
 {

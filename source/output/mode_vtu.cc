@@ -10,6 +10,7 @@
 #include <biface/output/mode_vtu.h>
 #include <biface/solver/modal_analysis.h>
 #include <biface/stepping/buckling.h>
+#include <biface/stepping/stage.h>
 
 namespace Biface
 {

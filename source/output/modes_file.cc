@@ -5,6 +5,7 @@
 #include <biface/output/csv.h>
 #include <biface/output/modes_file.h>
 #include <biface/solver/modal_analysis.h>
+#include <biface/stepping/stage.h>
 
 namespace Biface
 {

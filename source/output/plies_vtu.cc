@@ -87,11 +87,11 @@ namespace Biface
   } // namespace
 
 
-  PlyPatches::PlyPatches(const ShellEquations     &equations,
-                         const State              &state,
-                         const FailureCriteria    &criteria,
-                         const RollingHeat::Field *heat,
-                         const double              temperature)
+  PlyPatches::PlyPatches(const ShellEquations  &equations,
+                         const State           &state,
+                         const FailureCriteria &criteria,
+                         const HeatOfPlies     *heat,
+                         const double           temperature)
     : VertexPatches<3>(patch_data_names(criteria, equations.mesh.get_layup()))
   {
     const ShellMesh &mesh = equations.mesh;

@@ -5,6 +5,7 @@
 #include <biface/output/csv.h>
 #include <biface/output/response_file.h>
 #include <biface/solver/harmonic_response.h>
+#include <biface/stepping/stage.h>
 
 namespace Biface
 {

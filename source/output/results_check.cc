@@ -11,6 +11,7 @@
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/quantities/worst_strains.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/placed_body.h>
 #include <biface/output/results_check.h>
 
 namespace Biface

@@ -20,6 +20,7 @@
 #include <biface/output/rolling_file.h>
 #include <biface/output/sensitivities_file.h>
 #include <biface/output/stiffness_file.h>
+#include <biface/stepping/stage.h>
 
 namespace Biface
 {

@@ -6,6 +6,7 @@
 #include <biface/model/state/loads.h>
 #include <biface/output/csv.h>
 #include <biface/output/rig_table.h>
+#include <biface/stepping/stage.h>
 #include <biface/stepping/step_report.h>
 
 namespace Biface

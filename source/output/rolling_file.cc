@@ -7,6 +7,7 @@
 #include <biface/laminate/layup.h>
 #include <biface/output/csv.h>
 #include <biface/output/rolling_file.h>
+#include <biface/stepping/stage.h>
 
 namespace Biface
 {

@@ -12,6 +12,7 @@
 #include <biface/output/scalar_results.h>
 #include <biface/solver/modal_analysis.h>
 #include <biface/stepping/buckling.h>
+#include <biface/stepping/stage.h>
 
 namespace Biface
 {

@@ -5,6 +5,7 @@
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/placed_body.h>
 #include <biface/output/ply_results.h>
 #include <biface/output/shell_vtu.h>
 
@@ -58,7 +59,7 @@ namespace Biface
     const ShellMesh                     &mesh = equations.mesh;
     std::map<unsigned int, ContactState> zones;
     for (const auto &[number, body] : loads.bodies)
-      zones[number] = contact_at_nodes(mesh, state, number, body);
+      zones[number] = contact_at_nodes(mesh, state, number, *body);
     for (const unsigned int c : mesh.layers)
       {
         const Cell &cell = mesh.cells[c];
@@ -96,16 +97,16 @@ namespace Biface
                 // between layers, nothing touches
                 if (is_face)
                   for (const auto &[number, body] : loads.bodies)
-                    if (body.face == (is_outer ? outer : inner))
+                    if (body->face == (is_outer ? outer : inner))
                       {
                         const ContactState &zone = zones.at(number);
                         pressure += zone.pressure(cell.nodes[v]);
                         active = active || zone.active[cell.nodes[v]];
                         slipping =
-                          slipping || slips(zone, &body, cell.nodes[v]);
+                          slipping || slips(zone, body.get(), cell.nodes[v]);
                         friction +=
                           contact_traction(
-                            zone, &body, cell.nodes[v], patch.vertices[v])
+                            zone, body.get(), cell.nodes[v], patch.vertices[v])
                             .friction;
                       }
                 patch.data(d++, v) = pressure;

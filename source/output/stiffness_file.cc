@@ -5,6 +5,7 @@
 #include <biface/model/state/loads.h>
 #include <biface/output/csv.h>
 #include <biface/output/stiffness_file.h>
+#include <biface/stepping/stage.h>
 
 namespace Biface
 {

@@ -7,9 +7,11 @@
 #include <utility>
 
 #include <biface/base/errors.h>
+#include <biface/contact/friction_coefficient.h>
 #include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/problem/rig_protocol.h>
+#include <biface/stepping/stage.h>
 
 namespace Biface
 {

@@ -13,6 +13,7 @@
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/tangent_matrix.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/placed_body.h>
 #include <biface/solver/fixed_contact_tangent.h>
 
 namespace Biface
@@ -83,7 +84,7 @@ namespace Biface
   {
     return std::any_of(
       loads.bodies.begin(), loads.bodies.end(), [](const auto &body) {
-        return body.second.laws.tangential().depends_on_velocity();
+        return body.second->laws.tangential().depends_on_velocity();
       });
   }
 
@@ -96,7 +97,7 @@ namespace Biface
   {
     State state = given;
     for (const auto &[number, body] : loads.bodies)
-      body.laws.tangential().stick_all(state.contacts[number]);
+      body->laws.tangential().stick_all(state.contacts[number]);
     const ShellMesh &mesh    = pair.mesh;
     LA::Vector       nothing = mesh.owned_vector();
     for (const unsigned int c : mesh.walls)

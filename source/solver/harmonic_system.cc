@@ -21,6 +21,7 @@
 #include <biface/model/mesh/rigid_motions.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/placed_body.h>
 #include <biface/solver/fixed_contact_tangent.h>
 #include <biface/solver/harmonic_system.h>
 #include <biface/solver/linear/complex_solver.h>

@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include <biface/contact/rolling.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/symmetry.h>

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include <biface/contact/rolling.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/quantities/hysteresis.h>
 #include <biface/stepping/attempt.h>

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include <biface/contact/rolling.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/mesh/strip.h>

@@ -6,10 +6,12 @@
 #include <string>
 
 #include <biface/base/errors.h>
+#include <biface/contact/rolling.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/state/placed_body.h>
 #include <biface/model/time/inertia.h>
 #include <biface/stepping/controls/make_control.h>
 #include <biface/stepping/stage_run.h>
@@ -129,7 +131,8 @@ namespace Biface
         loads.linearized_at    = LoadRates{start.pressure, start.factors};
       }
     if (rolls)
-      loads.rolling = Rolling{level.angular_velocity};
+      loads.rolling =
+        std::make_shared<const Rolling>(Rolling{level.angular_velocity});
     return loads;
   }
 
@@ -194,8 +197,12 @@ namespace Biface
         // the ground moves under a wheel that stands in the frame of the axle,
         // section 10
         if (loads.rolling)
-          loads.rolling->ground = GroundMotion::under_wheel(
-            ground, level.ground_velocity, slip_angle);
+          {
+            Rolling rolling = *loads.rolling;
+            rolling.ground  = GroundMotion::under_wheel(
+              ground, level.ground_velocity, slip_angle);
+            loads.rolling = std::make_shared<const Rolling>(rolling);
+          }
       }
     for (const auto &[number, laws_of_body] : laws_of_bodies)
       {

@@ -8,6 +8,7 @@
 #include <iomanip>
 
 #include <biface/contact/bristles.h>
+#include <biface/contact/rolling.h>
 
 #include <tests.h>
 

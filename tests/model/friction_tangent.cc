@@ -15,6 +15,7 @@
 #include <biface/model/equations/force_terms.h>
 #include <biface/model/quantities/contact_resultants.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/placed_body.h>
 
 #include "coarse_torus.h"
 #include <cord_ply.h>

@@ -17,6 +17,7 @@
 #include <biface/model/forces/pressure_load.h>
 #include <biface/model/quantities/contact_resultants.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/placed_body.h>
 
 #include "coarse_torus.h"
 #include <cord_ply.h>

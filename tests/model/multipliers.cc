@@ -12,6 +12,7 @@
 #include <biface/model/contact/contact_summary.h>
 #include <biface/model/equations/force_terms.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/placed_body.h>
 
 #include "coarse_torus.h"
 #include <cord_ply.h>

@@ -13,6 +13,7 @@
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/quantities/penetration_between_points.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/placed_body.h>
 #include <biface/problem/parameters.h>
 #include <biface/problem/shell_model.h>
 

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 
+#include <biface/contact/rolling.h>
 #include <biface/laminate/layup.h>
 #include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_interaction.h>
@@ -19,6 +20,7 @@
 #include <biface/model/equations/force_terms.h>
 #include <biface/model/quantities/contact_resultants.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/placed_body.h>
 
 #include "coarse_torus.h"
 #include <cord_ply.h>
@@ -71,10 +73,11 @@ namespace
            contact.ground().moving_body.after_travel(touching + travel),
            slip_angle),
          law});
-      loads.rolling->ground =
-        GroundMotion::under_wheel(*loads.ground(), 200 * omega + 5, slip_angle);
+      loads.rolling = std::make_shared<const Rolling>(
+        Rolling{omega,
+                GroundMotion::under_wheel(
+                  *loads.ground(), 200 * omega + 5, slip_angle)});
     };
-    loads.rolling = Rolling{omega};
     set_travel(loads, 15);
     contact.settle(state, loads);
     const unsigned int n_active   = contact.count_active(state);
@@ -125,7 +128,8 @@ namespace
           {
             Loads moved = loads;
             if (l == 0)
-              moved.rolling->angular_velocity += sign * step;
+              moved.rolling = std::make_shared<const Rolling>(
+                Rolling{omega + sign * step, loads.rolling->ground});
             else
               set_travel(moved, 15 + sign * step);
             equations.assemble(state, moved);

@@ -14,6 +14,7 @@
 #include <biface/model/forces/dead_loads.h>
 #include <biface/model/forces/pressure_load.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/placed_body.h>
 
 #include "coarse_torus.h"
 #include <cord_ply.h>

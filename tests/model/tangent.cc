@@ -16,6 +16,7 @@
 #include <biface/model/forces/dead_loads.h>
 #include <biface/model/forces/pressure_load.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/placed_body.h>
 #include <biface/model/state/strain_theory.h>
 
 #include "coarse_torus.h"

@@ -12,6 +12,7 @@
 #include <biface/model/contact/contact_summary.h>
 #include <biface/model/equations/force_terms.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/placed_body.h>
 #include <biface/problem/parameters.h>
 #include <biface/problem/shell_model.h>
 #include <biface/solver/linear/make_linear_solver.h>

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include <biface/contact/rolling.h>
 #include <biface/laminate/layup.h>
 #include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_interaction.h>
@@ -17,6 +18,7 @@
 #include <biface/model/equations/velocity_matrix.h>
 #include <biface/model/mesh/rigid_motions.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/placed_body.h>
 
 #include "coarse_torus.h"
 #include <cord_ply.h>
@@ -60,9 +62,8 @@ namespace
                 {contact.ground().moving_body.after_travel(
                    travel_at_first_contact(contact.ground(), state) + 15),
                  contact.ground().laws({}, true)});
-    loads.rolling = Rolling{5};
-    loads.rolling->ground =
-      GroundMotion::under_wheel(*loads.ground(), 1005, 0.02);
+    loads.rolling = std::make_shared<const Rolling>(
+      Rolling{5, GroundMotion::under_wheel(*loads.ground(), 1005, 0.02)});
     contact.settle(state, loads);
     const unsigned int n_active = contact.count_active(state);
 
@@ -79,8 +80,10 @@ namespace
         scale = std::max(scale, product.l2_norm());
         for (const double sign : {-1., 1.})
           {
-            Loads moved = loads;
-            moved.rolling->ground.velocity[d] -= sign * step;
+            Loads   moved   = loads;
+            Rolling rolling = *loads.rolling;
+            rolling.ground.velocity[d] -= sign * step;
+            moved.rolling = std::make_shared<const Rolling>(rolling);
             equations.assemble(state, moved);
             product.add(sign / (2 * step), equations.residual());
           }

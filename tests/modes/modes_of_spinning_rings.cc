@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 
+#include <biface/contact/rolling.h>
 #include <biface/model/state/loads.h>
 #include <biface/problem/shell_model.h>
 #include <biface/solver/linear/make_linear_solver.h>
@@ -65,7 +66,7 @@ namespace
     model.equations.internal_forces().settle_resultants(state);
 
     Loads loads;
-    loads.rolling = Rolling{omega};
+    loads.rolling = std::make_shared<const Rolling>(Rolling{omega});
     ConditionalOStream no_output(std::cout, false);
     TimerOutput        timer(
       MPI_COMM_WORLD, no_output, TimerOutput::never, TimerOutput::wall_times);

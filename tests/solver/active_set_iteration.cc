@@ -11,6 +11,7 @@
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/contact/contact_parameters.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/placed_body.h>
 #include <biface/solver/active_set_iteration.h>
 
 #include "../model/coarse_torus.h"

@@ -16,6 +16,7 @@
 #include <biface/model/contact/contact_parameters.h>
 #include <biface/model/equations/force_terms.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/placed_body.h>
 #include <biface/solver/condensed_contact.h>
 #include <biface/solver/linear/mumps_solver.h>
 

@@ -3,6 +3,7 @@
 // A tire that spins faster and faster gets one warning, which names its largest
 // cells, when the tangent has negative pivots.
 
+#include <biface/contact/rolling.h>
 #include <biface/model/state/loads.h>
 
 #include <run_analysis.h>

@@ -14,14 +14,14 @@
 #include <utility>
 #include <vector>
 
+#include <biface/contact/body_motion.h>
 #include <biface/contact/body_section.h>
-#include <biface/contact/body_shapes.h>
 #include <biface/contact/friction_coefficient.h>
-#include <biface/contact/rigid_body.h>
 
 namespace Biface
 {
   class EntryDeclarations;
+  class RigidBody;
 
 
   /** A rigid body beside the ground: an obstacle on it, a rim, a piston. */

@@ -5,9 +5,6 @@
 
 #include <optional>
 
-#include <biface/contact/contact_condition.h>
-#include <biface/contact/friction.h>
-
 namespace Biface
 {
   class EntryDeclarations;
@@ -53,14 +50,15 @@ namespace Biface
     double
     tangential_stiffness() const;
 
-    /** The parameters of contact or friction with the tread, if there is one:
-     * it replaces an automatic penalty stiffness, and is in series with a given
-     * one. */
-    ContactCondition::Parameters
-    with_tread(ContactCondition::Parameters condition) const;
+    /** The penalty stiffness across the face with the tread, if there is one:
+     * it replaces an automatic one, and is in series with a given one. Unit:
+     * pressure/length. */
+    std::optional<double>
+    across(const std::optional<double> &penalty_stiffness) const;
 
-    FrictionLaw::Parameters
-    with_tread(FrictionLaw::Parameters friction) const;
+    /** Like across() along the face. */
+    std::optional<double>
+    along(const std::optional<double> &tangential_stiffness) const;
   };
 } // namespace Biface
 

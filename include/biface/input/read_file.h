@@ -125,21 +125,6 @@ namespace Biface
               const std::string &unit_of_length = "");
 
 
-  /** A file of pairs of numbers named by an entry. */
-  struct PairsFile
-  {
-    /** The name of the file; empty for none. */
-    std::string                   name;
-    std::vector<dealii::Point<2>> pairs;
-
-    /** Read the pairs, see read_file() and parse_pairs(). */
-    void
-    read(const std::string &meaning,
-         const MPI_Comm     communicator,
-         const std::string &unit_of_length = "");
-  };
-
-
   /**
    * The name of a file in an entry: as it is, or in double quotes, where %XX is
    * the byte with this hexadecimal code. In quotes it may contain what is not

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include <biface/input/read_file.h>
+#include <biface/input/pairs_file.h>
 #include <biface/laminate/force_curve.h>
 #include <biface/laminate/material.h>
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include <biface/input/formula.h>
-#include <biface/input/read_file.h>
+#include <biface/input/pairs_file.h>
 #include <biface/laminate/surface_of_plies.h>
 
 namespace Biface

@@ -9,6 +9,9 @@
 
 namespace Biface
 {
+  struct Stage;
+
+
   /** buckling.csv: a line for each buckling load predicted at the end of a
    * stage; see Buckling. */
   class BucklingFile : public StepTable

@@ -10,6 +10,9 @@
 
 namespace Biface
 {
+  struct Stage;
+
+
   /** buckling-NNNN-MMM.csv: the normal displacements of the shapes in which the
    * shell buckles, as tables for Imperfection. The largest is 1. */
   class BucklingShapesFile : public ResultFile

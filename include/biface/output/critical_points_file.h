@@ -9,6 +9,9 @@
 
 namespace Biface
 {
+  struct Stage;
+
+
   /** critical_points.csv: a line for each step that passed or ended at a
    * critical point; see CriticalPoint. */
   class CriticalPointsFile : public StepTable

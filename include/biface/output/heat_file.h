@@ -9,8 +9,11 @@
 
 namespace Biface
 {
+  struct Stage;
+
+
   /** heat-NNNN.csv: a line for each ply in each strip of cells around the axle,
-   * of a step in which a wheel rolls, see RollingHeat::Field. */
+   * of a step in which a wheel rolls, see HeatOfPlies. */
   class HeatFile : public ResultFile
   {
   public:

@@ -9,6 +9,9 @@
 
 namespace Biface
 {
+  struct Stage;
+
+
   /** hysteresis.csv: a line for each ply in each step in which a wheel rolls,
    * see Hysteresis. */
   class HysteresisFile : public StepTable

@@ -11,6 +11,9 @@
 
 namespace Biface
 {
+  struct Stage;
+
+
   /**
    * Both faces of the loaded shell with the displacements of a mode: one
    * quadrilateral per face of every locally owned cell.

@@ -9,6 +9,9 @@
 
 namespace Biface
 {
+  struct Stage;
+
+
   /** modes.csv: a line for each mode of vibration at the end of a stage, with
    * its frequency; see VibrationMode. */
   class ModesFile : public StepTable

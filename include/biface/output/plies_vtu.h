@@ -3,7 +3,7 @@
 #ifndef biface_output_plies_vtu_h
 #define biface_output_plies_vtu_h
 
-#include <biface/model/heat/rolling_heat.h>
+#include <biface/model/heat/heat_of_plies.h>
 #include <biface/output/ply_results.h>
 #include <biface/output/vtu_series.h>
 
@@ -17,18 +17,18 @@ namespace Biface
    * owned cell, between the two sides of the ply. Data: the displacement, the
    * unit vector along the deformed fibers, the number of the ply (from 1 at the
    * inner face), ply_values(), and in a laminate that loses energy in rolling
-   * the RollingHeat::Field.
+   * the HeatOfPlies.
    */
   class PlyPatches : public VertexPatches<3>
   {
   public:
     /** @param heat null for none.
      * @param temperature of all plies, where it is not computed. */
-    PlyPatches(const ShellEquations     &equations,
-               const State              &state,
-               const FailureCriteria    &criteria,
-               const RollingHeat::Field *heat        = nullptr,
-               const double              temperature = 0);
+    PlyPatches(const ShellEquations  &equations,
+               const State           &state,
+               const FailureCriteria &criteria,
+               const HeatOfPlies     *heat        = nullptr,
+               const double           temperature = 0);
   };
 
 

@@ -9,6 +9,9 @@
 
 namespace Biface
 {
+  struct Stage;
+
+
   /** response.csv: transfer functions, a line for each excitation, frequency
    * and output; see FrequencyResponse. */
   class ResponseFile : public StepTable

@@ -20,6 +20,7 @@
 namespace Biface
 {
   class EntryDeclarations;
+  struct Stage;
 
 
   /**

@@ -9,6 +9,9 @@
 
 namespace Biface
 {
+  struct Stage;
+
+
   /** rolling.csv: a line for each step in which a wheel rolls over the ground,
    * see RollingSummary. */
   class RollingFile : public StepTable

@@ -12,11 +12,13 @@
 #include <biface/model/forces/cavity.h>
 #include <biface/output/history_file.h>
 #include <biface/output/ply_results.h>
-#include <biface/stepping/stage.h>
 #include <biface/stepping/step_report.h>
 
 namespace Biface
 {
+  struct Stage;
+
+
   /**
    * Single numbers of the results by their names:
    * - a column of history.csv, such as `force`;

@@ -9,6 +9,9 @@
 
 namespace Biface
 {
+  struct Stage;
+
+
   /** stiffness.csv: a line for each step in which the ground moves in one
    * way while all other loads rest, with the secant and tangent stiffness; see
    * StepStiffness. */

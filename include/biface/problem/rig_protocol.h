@@ -6,11 +6,11 @@
 #include <vector>
 
 #include <biface/output/rig_table.h>
-#include <biface/stepping/stage.h>
 
 namespace Biface
 {
   class EntryDeclarations;
+  struct Stage;
 
 
   /**

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <biface/model/equations/shell_equations.h>
+#include <biface/model/heat/rolling_heat.h>
 #include <biface/model/quantities/worst_strains.h>
 #include <biface/solver/failure.h>
 #include <biface/solver/newton.h>

@@ -9,10 +9,13 @@
 
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/state/grid_state.h>
-#include <biface/stepping/stage.h>
+#include <biface/stepping/instant.h>
 
 namespace Biface
 {
+  struct Stage;
+
+
   /**
    * Predicts a step from the same analysis on a coarser mesh: displacements and
    * resultants change as they did there, and the active set is that of the

@@ -12,7 +12,6 @@
 #include <biface/model/quantities/work.h>
 #include <biface/stepping/controls/control.h>
 #include <biface/stepping/secant_predictor.h>
-#include <biface/stepping/stage.h>
 #include <biface/stepping/stiffness_against_ground.h>
 
 namespace Biface

@@ -20,29 +20,6 @@ namespace Biface
   struct InUse;
 
 
-  /** An instant of an analysis: the position of the stage and the completed
-   * fraction of it. */
-  struct Instant
-  {
-    unsigned int stage    = 0;
-    double       fraction = 0;
-
-    /** The time, of which each stage takes 1, see TimeInterval. */
-    double
-    time() const
-    {
-      return stage + fraction;
-    }
-
-    bool
-    operator<(const Instant &other) const
-    {
-      return stage != other.stage ? stage < other.stage
-                                  : fraction < other.fraction;
-    }
-  };
-
-
   /** A stage of loading: from the end of the previous stage, or of another one
    * before, to its own loads, in steps that its control chooses, with the
    * results asked for. */

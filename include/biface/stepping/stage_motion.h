@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <biface/input/formula.h>
-#include <biface/model/state/step_in_time.h>
+#include <biface/model/state/damping_in_time.h>
 
 namespace Biface
 {

@@ -8,10 +8,12 @@
 #include <optional>
 #include <vector>
 
+#include <biface/contact/contact_laws.h>
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/heat/rolling_heat.h>
 #include <biface/model/state/loads.h>
 #include <biface/stepping/controls/control.h>
+#include <biface/stepping/instant.h>
 #include <biface/stepping/progress.h>
 #include <biface/stepping/stage.h>
 

@@ -12,13 +12,14 @@
 
 #include <biface/model/contact/contact_summary.h>
 #include <biface/model/forces/nodal_forces.h>
-#include <biface/model/heat/rolling_heat.h>
+#include <biface/model/heat/heat_of_plies.h>
 #include <biface/model/quantities/footprint.h>
 #include <biface/model/quantities/forces_on_shell.h>
 #include <biface/model/quantities/rolling_summary.h>
 #include <biface/model/quantities/work.h>
 #include <biface/model/time/energy_of_motion.h>
-#include <biface/stepping/stage.h>
+#include <biface/stepping/instant.h>
+#include <biface/stepping/load_level.h>
 #include <biface/stepping/stiffness_against_ground.h>
 
 namespace Biface
@@ -63,8 +64,8 @@ namespace Biface
     std::optional<RollingSummary> rolling;
     /** The heat of the plies of a rolling wheel, if they lose energy, and how
      * often rolling and conduction were computed in turn. */
-    std::optional<RollingHeat::Field> heat;
-    unsigned int                      n_heat_rounds = 0;
+    std::optional<HeatOfPlies> heat;
+    unsigned int               n_heat_rounds = 0;
     /** The slip velocities of a rolling wheel by node, see
      * Biface::slip_velocities(); otherwise empty. */
     std::vector<dealii::Tensor<1, 3>> slip_velocities;

@@ -8,7 +8,7 @@
 
 #include <optional>
 
-#include <biface/stepping/stage.h>
+#include <biface/stepping/load_level.h>
 
 namespace Biface
 {

@@ -6,10 +6,12 @@
 #include <optional>
 #include <string>
 
-#include <biface/stepping/stage.h>
-
 namespace Biface
 {
+  struct LoadLevel;
+  struct Stage;
+
+
   /** The rolling radius in free rolling, @f$V\cos\alpha/\Omega@f$. */
   double
   free_rolling_radius(const LoadLevel &level);

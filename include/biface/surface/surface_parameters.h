@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <biface/input/read_file.h>
+#include <biface/input/pairs_file.h>
 #include <biface/surface/circular_arc.h>
 #include <biface/surface/cord_equilibrium.h>
 #include <biface/surface/imperfection.h>

@@ -12,6 +12,7 @@
 #include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/placed_body.h>
 
 namespace Biface
 {

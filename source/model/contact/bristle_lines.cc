@@ -8,6 +8,7 @@
 #include <biface/base/gather.h>
 #include <biface/model/contact/bristle_lines.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/placed_body.h>
 #include <biface/model/state/state.h>
 
 namespace Biface

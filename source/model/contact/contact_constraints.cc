@@ -4,11 +4,13 @@
 
 #include <map>
 
+#include <biface/contact/contact_laws.h>
 #include <biface/contact/tangential_law.h>
 #include <biface/model/contact/contact_constraints.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/placed_body.h>
 
 namespace Biface
 {

@@ -5,6 +5,7 @@
 #include <biface/model/contact/contact_forces.h>
 #include <biface/model/contact/contact_over_step.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/placed_body.h>
 
 namespace Biface
 {

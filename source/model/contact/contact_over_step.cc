@@ -9,6 +9,7 @@
 #include <biface/contact/contact_laws.h>
 #include <biface/model/contact/contact_over_step.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/state/placed_body.h>
 #include <biface/model/state/step_in_time.h>
 
 namespace Biface

@@ -11,6 +11,7 @@
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/contact/contact_parameters.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/placed_body.h>
 
 namespace Biface
 {
@@ -96,8 +97,8 @@ namespace Biface
       across.penalty_stiffness = of_stage.penalty_stiffness;
     if (of_stage.friction)
       sideways.coefficient = *of_stage.friction;
-    const ContactCondition condition(tread.with_tread(across),
-                                     mesh.wall_stiffness());
+    across.penalty_stiffness = tread.across(across.penalty_stiffness);
+    const ContactCondition condition(across, mesh.wall_stiffness());
     // without tangential tractions nodes need no history, and with the lumped
     // mass the tangent is symmetric
     if (sideways.coefficient.is_zero() && !of_stage.glued)
@@ -132,8 +133,8 @@ namespace Biface
     FrictionLaw::Parameters sideways = friction_parameters;
     if (of_stage.tangential_stiffness)
       sideways.tangential_stiffness = of_stage.tangential_stiffness;
-    return tread.with_tread(sideways).tangential_stiffness_on(
-      mesh.wall_stiffness_sideways());
+    sideways.tangential_stiffness = tread.along(sideways.tangential_stiffness);
+    return sideways.tangential_stiffness_on(mesh.wall_stiffness_sideways());
   }
 
 

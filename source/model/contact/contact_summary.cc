@@ -9,6 +9,7 @@
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/contact/contact_summary.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/placed_body.h>
 
 namespace Biface
 {

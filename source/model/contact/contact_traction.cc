@@ -5,6 +5,7 @@
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/state/contact_points.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/placed_body.h>
 #include <biface/model/state/state.h>
 
 namespace Biface

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include <biface/contact/rolling.h>
 #include <biface/element/nonlinear_plies.h>
 #include <biface/element/quadrilateral.h>
 #include <biface/element/recovered_strains.h>

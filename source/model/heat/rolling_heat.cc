@@ -8,6 +8,7 @@
 #include <limits>
 
 #include <biface/base/errors.h>
+#include <biface/contact/rolling.h>
 #include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/laminate/layup.h>
@@ -169,7 +170,7 @@ namespace Biface
   }
 
 
-  RollingHeat::Field
+  HeatOfPlies
   RollingHeat::field(const Hysteresis          &hysteresis,
                      const std::vector<double> &parts,
                      const Loads               &loads) const
@@ -182,7 +183,7 @@ namespace Biface
             Hysteresis::power(hysteresis.by_strip(i, p),
                               loads.rolling->angular_velocity) /
             volumes(i, p);
-    Field result{wall.source, {}};
+    HeatOfPlies result{wall.source, {}};
     if (!is_computed())
       return result;
 
@@ -218,9 +219,9 @@ namespace Biface
 
 
   bool
-  RollingHeat::Iteration::advance(const Field &field,
-                                  const double tolerance,
-                                  State       &state)
+  RollingHeat::Iteration::advance(const HeatOfPlies &field,
+                                  const double       tolerance,
+                                  State             &state)
   {
     const auto          &computed = field.temperature;
     const Parameters    &given    = heat.parameters;

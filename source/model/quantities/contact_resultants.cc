@@ -9,6 +9,7 @@
 #include <biface/model/contact/contact_forces.h>
 #include <biface/model/quantities/contact_resultants.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/placed_body.h>
 
 namespace Biface
 {

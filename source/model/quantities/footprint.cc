@@ -14,6 +14,7 @@
 #include <biface/model/contact/contact_summary.h>
 #include <biface/model/quantities/footprint.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/placed_body.h>
 
 namespace Biface
 {

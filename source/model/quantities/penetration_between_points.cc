@@ -11,6 +11,7 @@
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/quantities/penetration_between_points.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/placed_body.h>
 
 namespace Biface
 {

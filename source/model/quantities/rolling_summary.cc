@@ -15,6 +15,7 @@
 #include <biface/model/quantities/contact_resultants.h>
 #include <biface/model/quantities/rolling_summary.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/placed_body.h>
 
 namespace Biface
 {

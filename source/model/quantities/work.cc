@@ -7,6 +7,7 @@
 #include <biface/model/contact/contact_summary.h>
 #include <biface/model/quantities/work.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/placed_body.h>
 
 namespace Biface
 {

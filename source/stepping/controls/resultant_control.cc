@@ -16,6 +16,7 @@
 #include <biface/model/contact/contact_summary.h>
 #include <biface/model/quantities/rolling_summary.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/placed_body.h>
 #include <biface/stepping/controls/resultant_control.h>
 
 namespace Biface

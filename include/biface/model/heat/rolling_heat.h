@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <biface/model/equations/shell_equations.h>
+#include <biface/model/heat/heat_of_plies.h>
 #include <biface/model/heat/wall_conduction.h>
 #include <biface/model/quantities/hysteresis.h>
 
@@ -63,17 +64,6 @@ namespace Biface
       return parameters.temperatures == Parameters::Temperatures::coupled;
     }
 
-    /** The heat source and temperature of each ply, by the strips of the wall
-     * and the plies of the layup. */
-    struct Field
-    {
-      /** The heat source; 0 where a ply does not exist. Unit: power/volume. */
-      dealii::Table<2, double> source;
-      /** The temperatures; empty if they are not computed; nan where a ply does
-       * not exist. */
-      dealii::Table<2, double> temperature;
-    };
-
     /** The part of a turn in which each strip touches the ground. Must be
      * called on all ranks. */
     std::vector<double>
@@ -81,7 +71,7 @@ namespace Biface
 
     /** The field of an equilibrium in which the wheel rolls.
      * @param parts see parts_in_contact(). */
-    Field
+    HeatOfPlies
     field(const Hysteresis          &hysteresis,
           const std::vector<double> &parts,
           const Loads               &loads) const;
@@ -105,7 +95,7 @@ namespace Biface
        * from those of the films.
        * @return whether it already did. */
       bool
-      advance(const Field &field, const double tolerance, State &state);
+      advance(const HeatOfPlies &field, const double tolerance, State &state);
 
     private:
       const RollingHeat  &heat;

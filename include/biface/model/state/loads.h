@@ -4,27 +4,17 @@
 #define biface_model_state_loads_h
 
 #include <map>
+#include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include <biface/contact/contact_laws.h>
-#include <biface/contact/rigid_body.h>
-#include <biface/contact/rolling.h>
-#include <biface/laminate/resultants.h>
 #include <biface/model/state/load_rates.h>
 
 namespace Biface
 {
-  /** A rigid body at its present place, and the laws of its contact. */
-  struct PlacedBody
-  {
-    RigidBody   body;
-    ContactLaws laws;
-    /** The face of the shell that the body touches. */
-    Resultants::Face face = Resultants::outer;
-    std::string      name = "foundation";
-  };
+  class RigidBody;
+  struct PlacedBody;
+  struct Rolling;
 
 
   /** The loads on the shell. */
@@ -61,32 +51,22 @@ namespace Biface
 
     /** The bodies that are there, by ContactPair::number; the first is the
      * ground. */
-    std::map<unsigned int, PlacedBody> bodies;
+    std::map<unsigned int, std::shared_ptr<const PlacedBody>> bodies;
 
-    /** The motion of wheel and ground, if the shell rolls. */
-    std::optional<Rolling> rolling;
+    /** The motion of wheel and ground; null if the shell does not roll. */
+    std::shared_ptr<const Rolling> rolling;
 
     /** Put the body of a pair in a place. */
     void
-    place(const unsigned int number, const PlacedBody &body)
-    {
-      bodies.insert_or_assign(number, body);
-    }
+    place(const unsigned int number, const PlacedBody &body);
 
     /** The body of a pair; null if it is not there. */
     const PlacedBody *
-    body(const unsigned int number) const
-    {
-      const auto found = bodies.find(number);
-      return found == bodies.end() ? nullptr : &found->second;
-    }
+    body(const unsigned int number) const;
 
     /** The ground; null if it is not there. */
     const RigidBody *
-    ground() const
-    {
-      return body(0) ? &body(0)->body : nullptr;
-    }
+    ground() const;
   };
 } // namespace Biface
 
