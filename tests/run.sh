@@ -33,7 +33,7 @@ fi
 step "Configuration"
 cmake -S . -B build-tests -G Ninja \
   -DCMAKE_BUILD_TYPE=DebugRelease -DBIFACE_WERROR=ON -DBIFACE_DEBUG_SYMBOLS=OFF \
-  -DBIFACE_DEBUG_BATCH=24
+  -DBIFACE_BATCH=24
 
 step "Debug and Release, documentation"
 cmake --build build-tests --target documentation all build_tests
