@@ -172,7 +172,7 @@ namespace Biface
 
       out << std::endl;
       if (out.is_active())
-        record.summary.print(equations.mesh.points, out.get_stream());
+        record.summary.print(equations.mesh, out.get_stream());
       out << check.summary();
       print_costs(simulation, out);
       out << (result.success ? "Results" : "Results so far");
