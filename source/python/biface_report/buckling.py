@@ -18,6 +18,23 @@ def load_columns(found):
     return [column for column in LOADS if (found[column] != 0).any()]
 
 
+def force_columns(found):
+    """The forces that are there: on the ground, and of supports that move; the
+    largest one of a support if there are no others."""
+    columns = [column for column in found if column == "force"
+               or column.endswith(("_force", "_moment"))]
+    columns = [column for column in columns if (found[column] != 0).any()]
+    return columns or [column for column in ("reaction",) if column in found
+                       and (found[column] != 0).any()]
+
+
+def force_head(column):
+    """What a column of forces is called."""
+    own = {"force": "Force on the ground", "reaction": "Largest reaction"}
+    kind = "Moment" if column.endswith("_moment") else "Force"
+    return own.get(column) or f"{kind} of {column.rpartition('_')[0]}"
+
+
 def wave_columns(found):
     """Columns of wave numbers, if any shape has them."""
     waves = found.get("circumferential_waves", np.array([np.nan]))
@@ -28,6 +45,7 @@ def wave_columns(found):
 def common_heads(found):
     """Heads of the cells of common_cells()."""
     return (["Factor"] + [LOADS[column] for column in load_columns(found)]
+            + [force_head(column) for column in force_columns(found)]
             + (["Work of the loads"] if "load_work" in found else [])
             + (["Waves around", "Half waves along the meridian"]
                if wave_columns(found) else []))
@@ -36,7 +54,8 @@ def common_heads(found):
 def common_cells(found, i):
     """Factor, loads and wave numbers in row i."""
     cells = [number(found["factor"][i])]
-    cells += [number(found[column][i]) for column in load_columns(found)]
+    cells += [number(found[column][i])
+              for column in load_columns(found) + force_columns(found)]
     if "load_work" in found:
         # relative to that on a motion of all nodes
         cells.append(number(found["load_work"][i], 3, scale=1))
@@ -105,3 +124,11 @@ def kinds_of_steps(run):
     found = run.critical_points()
     return {} if found is None else dict(zip(found["step"].astype(int),
                                              found["kind"]))
+
+
+def critical_range(run, steps):
+    """The critical points among some steps in words."""
+    kinds = kinds_of_steps(run)
+    names = "; ".join(f"{kinds[step]} in step {step}" for step in steps
+                      if step in kinds)
+    return f" Rings: critical points, {escape(names)}." if names else ""
