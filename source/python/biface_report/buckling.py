@@ -7,6 +7,7 @@ import numpy as np
 
 from .page import LeftOut, Section, number, paragraph, plain_number, table
 from .shapes import pictures_of
+from .units import units_of
 
 # Columns of loads, and their heads
 LOADS = {"pressure": "Pressure", "load_factor": "Load factor",
@@ -28,11 +29,12 @@ def force_columns(found):
                        and (found[column] != 0).any()]
 
 
-def force_head(column):
-    """What a column of forces is called."""
+def force_head(column, units):
+    """What a column of forces is called, with its unit."""
     own = {"force": "Force on the ground", "reaction": "Largest reaction"}
-    kind = "Moment" if column.endswith("_moment") else "Force"
-    return own.get(column) or f"{kind} of {column.rpartition('_')[0]}"
+    kind = "moment" if column.endswith("_moment") else "force"
+    return units.label(own.get(column) or
+                       f"{kind.capitalize()} of {column.rpartition('_')[0]}", kind)
 
 
 def wave_columns(found):
@@ -42,10 +44,10 @@ def wave_columns(found):
             if np.isfinite(waves).any() else [])
 
 
-def common_heads(found):
+def common_heads(found, units):
     """Heads of the cells of common_cells()."""
     return (["Factor"] + [LOADS[column] for column in load_columns(found)]
-            + [force_head(column) for column in force_columns(found)]
+            + [force_head(column, units) for column in force_columns(found)]
             + (["Work of the loads"] if "load_work" in found else [])
             + (["Waves around", "Half waves along the meridian"]
                if wave_columns(found) else []))
@@ -74,7 +76,7 @@ def buckling(run):
     rows = [[escape(found["stage"][i]), str(int(found["mode"][i]))]
             + common_cells(found, i) for i in range(len(found))]
     all_loads = table("Buckling loads, from buckling.csv",
-                      ["Stage", "Load"] + common_heads(found), rows)
+                      ["Stage", "Load"] + common_heads(found, units_of(run)), rows)
     text = paragraph(
         "Predicted at the end of each stage. The loads change in the stage; if all "
         "of this change is multiplied by the factor, the shell buckles: at 1, with "
@@ -115,7 +117,8 @@ def critical_points(run):
         "not. The loads are those of the end of the step.")
     return Section("critical", name, table(
         "Critical points, from critical_points.csv",
-        ["", "Stage", "Kind", "", "Negative pivots"] + common_heads(found), rows)
+        ["", "Stage", "Kind", "", "Negative pivots"]
+        + common_heads(found, units_of(run)), rows)
         + text, True)
 
 

@@ -83,20 +83,33 @@ def draw_reaction(run, reaction):
     return picture
 
 
+def table_of(found, units):
+    """The table of the forces, or of the moments, of supports."""
+    if not found:
+        return ""
+    is_turn = found[0].is_turn
+    rows = []
+    for reaction in found:
+        top = int(np.argmax(reaction.force))
+        rows.append([escape(reaction.name), number(reaction.displacement[-1]),
+                     number(reaction.force[-1]), number(reaction.force[top]),
+                     number(reaction.displacement[top])])
+    moved, force = ("Angle", "moment") if is_turn else ("Displacement", "force")
+    unit = "°" if is_turn else units["length"]
+    return table(f"{force.capitalize()}s of supports, from history.csv",
+                 ["Support", f"{moved} [{unit}]", units.label(force.capitalize(), force),
+                  units.label(f"Largest {force}", force), f"{moved} there [{unit}]"],
+                 rows)
+
+
 def reactions(run):
     """A chart for each support that moves."""
     name = "Forces of supports that move"
     found = reactions_of(run)
     if not found:
         return LeftOut(name, "No support moves.")
-    units, rows, html = units_of(run), [], ""
+    html = ""
     for reaction in found:
-        top = int(np.argmax(reaction.force))
-        unit = units["moment" if reaction.is_turn else "force"]
-        rows.append([escape(reaction.name), number(reaction.displacement[-1]),
-                     number(reaction.force[-1]), number(reaction.force[top]),
-                     number(reaction.displacement[top]),
-                     f'<span class="unit">[{unit}]</span>'])
         if len(run.steps) > 1:
             html += figure(
                 embed(draw_reaction(run, reaction)),
@@ -107,9 +120,9 @@ def reactions(run):
                    if reaction.is_reversed else
                    "along its motion at the load factor 1.")
                 + critical_range(run, counted_steps(run))) + "\n"
-    html += table("Forces of supports, from history.csv",
-                  ["Support", "Displacement", "Force", "Largest force",
-                   "Displacement there", ""], rows)
+    for is_turn in (False, True):
+        html += table_of([reaction for reaction in found
+                          if reaction.is_turn == is_turn], units_of(run))
     html += paragraph(
         "The force of the support on the shell and its displacement, or moment and "
         "angle in degrees, in the last step and where the force is largest. Where a "
