@@ -145,7 +145,7 @@ namespace Biface
       // a run that is stopped in its first step can be continued, too
       checkpoints.write(record);
       ResultsCheck             check(equations, simulation.get_contact());
-      const StepCounter        counter(parameters, progress);
+      StepCounter              counter(parameters, progress);
       const LoadSteppingResult result = simulation.run(
         [&](const StepReport &report, const State &state) {
           TimerOutput::Scope scope(simulation.get_timer(), "Output");
@@ -172,7 +172,7 @@ namespace Biface
 
       out << std::endl;
       if (out.is_active())
-        record.summary.print(equations.mesh.points, out.get_stream());
+        record.summary.print(equations.mesh, out.get_stream());
       out << check.summary();
       print_costs(simulation, out);
       out << (result.success ? "Results" : "Results so far");

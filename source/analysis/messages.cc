@@ -58,49 +58,49 @@ namespace Biface
     for (unsigned int i = 0; i <= parameters.last_stage(); ++i)
       {
         const Stage &stage = parameters.stages[i];
-        steps.of_stages.push_back(stage.n_steps);
-        iterations.of_stages.push_back(stage.n_steps *
-                                       expected_iterations(parameters, stage));
+        steps.push_back(stage.n_steps);
+        iterations.push_back(expected_iterations(parameters, stage));
         // arc length finds the number of its steps on the way
         if (!make_control(stage)->has_equal_steps())
           predictable = false;
       }
-    for (Amount *amount : {&steps, &iterations})
-      amount->at_begin = amount->done(progress);
+    last_stage = progress.stage;
+    last_done  = done(progress);
   }
 
 
   double
-  StepCounter::Amount::done(const Progress &progress) const
+  StepCounter::done(const Progress &progress)
   {
-    double sum = 0;
-    for (unsigned int i = 0; i < progress.stage; ++i)
-      sum += of_stages[i];
-    if (progress.stage_begun)
-      sum += of_stages[progress.stage] * progress.control.done;
-    return sum;
-  }
-
-
-  double
-  StepCounter::Amount::left(const Progress &progress) const
-  {
-    return std::max(0.,
-                    std::accumulate(of_stages.begin(), of_stages.end(), 0.) -
-                      done(progress));
+    return progress.stage_begun ? progress.control.done : 0.;
   }
 
 
   std::string
-  StepCounter::line(const StepReport &report, const Progress &progress) const
+  StepCounter::line(const StepReport &report, const Progress &progress)
   {
-    const double seconds = timer.wall_time();
+    const double       seconds = timer.wall_time();
+    const unsigned int stage   = progress.stage;
+    const double       now     = done(progress);
+    const double       size    = now - (stage == last_stage ? last_done : 0.);
+    last_stage                 = stage;
+    last_done                  = now;
+    iterations_done += iterations[stage];
+    // a step that was halved says how long the others of the stage will be
+    double steps_left = (1 - now) * steps[stage];
+    if (size > 0)
+      steps_left = std::max(steps_left, (1 - now) / size);
+    double iterations_left = steps_left * iterations[stage];
+    for (unsigned int i = stage + 1; i < steps.size(); ++i)
+      {
+        steps_left += steps[i];
+        iterations_left += steps[i] * iterations[i];
+      }
 
     std::string text = "  step " + std::to_string(report.step);
     if (predictable)
-      text += " of " + std::to_string(report.step +
-                                      static_cast<unsigned int>(
-                                        std::lround(steps.left(progress))));
+      text += " of " + std::to_string(report.step + static_cast<unsigned int>(
+                                                      std::lround(steps_left)));
     text += ":";
     char part[256];
     if (report.loads->factors[0] != 0)
@@ -143,14 +143,14 @@ namespace Biface
     if (const unsigned int n = report.n_negative_pivots.value_or(0); n > 0)
       text += ", " + std::to_string(n) +
               (n == 1 ? " negative pivot" : " negative pivots");
-    // in proportion to the steps since the start of this run: a restart has not
-    // spent the time of the others
-    const double done = iterations.done(progress) - iterations.at_begin;
-    const double left = iterations.left(progress);
-    if (predictable && done > 0 && left > 0)
+    // in proportion to the steps of this run: a restart has not spent the time
+    // of the others
+    if (predictable && iterations_left > 0)
       {
-        std::snprintf(
-          part, sizeof(part), ", about %.2g s left", seconds * left / done);
+        std::snprintf(part,
+                      sizeof(part),
+                      ", about %.2g s left",
+                      seconds * iterations_left / iterations_done);
         text += part;
       }
     return text;

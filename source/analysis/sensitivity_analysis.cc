@@ -217,6 +217,19 @@ namespace Biface
     /** The current stage. */
     std::unique_ptr<StageRun> run;
 
+    /** What moves in an equilibrium of the current stage. */
+    MovingReactions
+    reactions(const State &state, const LoadLevel &level) const
+    {
+      const Loads loads = run->loads_at(level);
+      return moving_reactions(
+        model.equations,
+        level,
+        loads,
+        forces_on_shell(
+          model.equations, state, forces_in_equilibrium(model, state, loads)));
+    }
+
     /** The step that is followed: its loads, and the state before it. */
     Control::Trial trial;
     LoadLevel      level;
@@ -367,6 +380,11 @@ namespace Biface
         perturbed->progress.stage_begun = false;
         perturbed->enter_stage();
         perturbed->run->start();
+        // which no steps of its own have left
+        if (before && results.have_stiffness() &&
+            perturbed->progress.first_reactions)
+          perturbed->progress.first_reactions =
+            perturbed->reactions(perturbed->state, perturbed->progress.reached);
       }
   }
 
@@ -390,7 +408,8 @@ namespace Biface
     const bool buckles =
       results.have_buckling() && step.run.stage.n_buckling > 0;
     return step.run.is_complete() || model.contact.has_friction(step.loads) ||
-           model.mesh->get_layup().relaxes() || step.trial.equations || buckles;
+           model.mesh->get_layup().relaxes() || step.trial.equations ||
+           buckles || results.have_stiffness();
   }
 
 
@@ -946,6 +965,16 @@ namespace Biface
                 perturbed.state,
                 forces_in_equilibrium(
                   perturbed.model, perturbed.state, *changed.loads));
+            if (results.have_stiffness())
+              {
+                Progress &progress = perturbed.progress;
+                progress.reactions =
+                  perturbed.reactions(perturbed.before, perturbed.level_before);
+                changed.stiffness_of_motions = stiffness_of_motions(
+                  *perturbed.run,
+                  *changed.loads,
+                  perturbed.reactions(perturbed.state, progress.reached));
+              }
             if (report.modes && results.have_frequency())
               changed.modes =
                 change_modes(*report.modes, perturbed, *changed.loads);

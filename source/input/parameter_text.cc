@@ -333,12 +333,50 @@ namespace Biface
   } // namespace
 
 
+  namespace
+  {
+    /** The entry that has another name in engineering, by words of
+     * doc/glossary.md; empty if the word is none of them. */
+    std::string
+    entry_called(const std::string &word)
+    {
+      static const std::map<std::string, std::string> glossary{
+        {"axle torque", "Axle moment"},
+        {"brake torque", "Axle moment"},
+        {"camber", "Inclination angle"},
+        {"camber angle", "Inclination angle"},
+        {"deflection", "Travel"},
+        {"drive torque", "Axle moment"},
+        {"inflation", "Pressure"},
+        {"inflation pressure", "Pressure"},
+        {"load", "Force"},
+        {"longitudinal slip", "Slip ratio"},
+        {"speed", "Ground velocity"},
+        {"torque", "Axle moment"},
+        {"vertical load", "Force"},
+        {"wheel load", "Force"}};
+
+      std::string lower = word;
+      std::transform(lower.begin(), lower.end(), lower.begin(), [](char c) {
+        return std::tolower(c);
+      });
+      const auto found = glossary.find(lower);
+      return found == glossary.end() ? "" : found->second;
+    }
+  } // namespace
+
+
   std::string
   no_such_entry(const ParameterHandler &prm, const std::string &name)
   {
     const std::vector<std::string> names   = declared_names(prm);
     const std::string              section = section_of(name);
-    const bool                     is_declared =
+    const std::string called = entry_called(name.substr(section.size()));
+    if (!called.empty() &&
+        std::find(names.begin(), names.end(), section + called) != names.end())
+      return "there is no entry " + quoted(name) + "; it is called '" +
+             section + called + "' here, see doc/glossary.md";
+    const bool is_declared =
       (section.empty() ||
        std::find(names.begin(), names.end(), section) != names.end());
     std::string nearest;

@@ -4,6 +4,7 @@
 
 #include <biface/output/buckling_file.h>
 #include <biface/output/csv.h>
+#include <biface/output/reaction_columns.h>
 #include <biface/stepping/buckling.h>
 #include <biface/stepping/stage.h>
 
@@ -14,7 +15,8 @@ namespace Biface
                              const ShellEquations     &equations)
     : StepTable("buckling.csv",
                 "step,modes,mode,stage,factor,pressure,load_factor,approach,"
-                "load_work,circumferential_waves,meridional_half_waves",
+                "load_work,circumferential_waves,meridional_half_waves," +
+                  columns_of_forces(equations.mesh),
                 0,
                 directory,
                 equations,
@@ -49,7 +51,13 @@ namespace Biface
                                    critical.level.travel,
                                    mode.load_work})
           lines += ',' + csv_number(value);
-        lines += ',' + csv_waves(mode.waves) + '\n';
+        lines += ',' + csv_waves(mode.waves);
+        // the loads of the end of the stage but for the factors, with which
+        // supports move
+        Loads loads   = *report.loads;
+        loads.factors = critical.level.factors;
+        lines +=
+          values_of_forces(equations.mesh, loads, buckling.forces[i]) + '\n';
       }
     append(lines);
   }

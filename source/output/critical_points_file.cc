@@ -4,6 +4,7 @@
 
 #include <biface/output/critical_points_file.h>
 #include <biface/output/csv.h>
+#include <biface/output/reaction_columns.h>
 #include <biface/stepping/critical_point.h>
 #include <biface/stepping/stage.h>
 
@@ -16,7 +17,8 @@ namespace Biface
         "critical_points.csv",
         "step,stage,kind,located,negative_pivots_before,"
         "negative_pivots,factor,pressure,load_factor,approach,load_work,"
-        "circumferential_waves,meridional_half_waves",
+        "circumferential_waves,meridional_half_waves," +
+          columns_of_forces(equations.mesh),
         1,
         directory,
         equations,
@@ -40,6 +42,9 @@ namespace Biface
                                point.loads.level.travel,
                                point.mode.load_work})
       line += ',' + csv_number(value);
-    append(line + ',' + csv_waves(point.mode.waves) + '\n');
+    append(
+      line + ',' + csv_waves(point.mode.waves) +
+      values_of_forces(equations.mesh, *report.loads, report.forces_of_bodies) +
+      '\n');
   }
 } // namespace Biface

@@ -13,6 +13,7 @@
 #include <biface/output/csv.h>
 #include <biface/output/fiber_tension.h>
 #include <biface/output/history_file.h>
+#include <biface/output/reaction_columns.h>
 #include <biface/surface/reference_surface.h>
 
 namespace Biface
@@ -275,6 +276,16 @@ namespace Biface
                                     static_cast<double>(maximum.ply)};
                           }});
       }
+    if (!mesh.supported.motions.empty())
+      groups.push_back({reaction_columns(mesh),
+                        [](const Step &step) {
+                          const std::vector<double> values =
+                            reaction_values(step.equations.mesh,
+                                            *step.report.loads,
+                                            step.report.forces_of_bodies);
+                          return Values(values.begin(), values.end());
+                        },
+                        true});
     for (const ForceTerm *term : equations.get_terms())
       if (term->source() == ForceTerm::Source::ground &&
           !term->other_body().empty())

@@ -63,6 +63,21 @@ namespace Biface
     }
 
 
+    /** The names of what can move: the ground, bodies and supports. */
+    std::vector<std::string>
+    movable(const ShellEquations &equations)
+    {
+      std::vector<std::string> names{"foundation"};
+      for (const SupportMotion &motion : equations.mesh.supported.motions)
+        names.push_back(motion.name);
+      for (const ForceTerm *term : equations.get_terms())
+        if (term->source() == ForceTerm::Source::ground &&
+            !term->other_body().empty())
+          names.push_back(term->other_body());
+      return names;
+    }
+
+
     const std::vector<std::string> probe_components{
       "u_x", "u_y", "u_z", "u_1", "u_2", "u_3"};
     const std::vector<std::string> force_components{
@@ -115,7 +130,10 @@ namespace Biface
               name,
               "it must be one of " + counting +
                 ", 'POINT u_x' with a named point, 'BODY F_x' "
-                "with a body of forces.csv, 'frequency 1' or 'buckling factor "
+                "with a body of forces.csv, "
+                "'BODY tangent' or 'BODY secant' with the ground "
+                "('foundation'), a body or a support that moves, "
+                "'frequency 1' or 'buckling factor "
                 "1' with the number of a mode that 'Modes' or 'Buckling' asks "
                 "for");
           }
@@ -164,6 +182,16 @@ namespace Biface
             }
         return {};
       }
+    if (const auto component = position_of(last, {"tangent", "secant"}))
+      {
+        source.kind      = Source::Kind::stiffness;
+        source.component = *component;
+        source.name      = rest;
+        const auto moves = movable(equations);
+        if (position_of(rest, moves))
+          return source;
+        return {};
+      }
     for (const auto &[words, n, kind] :
          {std::make_tuple("frequency", known.n_modes, Source::Kind::frequency),
           std::make_tuple(
@@ -203,6 +231,18 @@ namespace Biface
     return std::any_of(
       sources.begin(), sources.end(), [&](const Source &source) {
         return source.kind == kind;
+      });
+  }
+
+
+  bool
+  ScalarResults::have_force() const
+  {
+    return std::any_of(
+      sources.begin(), sources.end(), [&](const Source &source) {
+        return source.kind == Source::Kind::force ||
+               (source.kind == Source::Kind::history &&
+                history[source.position].of_forces);
       });
   }
 
@@ -255,6 +295,15 @@ namespace Biface
                   (source.component < 3
                      ? body.force
                      : body.moment_about(moment_center))[source.component % 3];
+                break;
+              }
+            case Source::Kind::stiffness:
+              {
+                const auto found =
+                  report.stiffness_of_motions.find(source.name);
+                if (found != report.stiffness_of_motions.end())
+                  value = (source.component == 0 ? found->second.tangent
+                                                 : found->second.secant);
                 break;
               }
             case Source::Kind::frequency:

@@ -9,7 +9,9 @@
 
 #include <biface/model/quantities/point_displacement.h>
 #include <biface/model/state/loads.h>
+#include <biface/output/reaction_columns.h>
 #include <biface/output/summary_table.h>
+#include <biface/stepping/critical_point.h>
 
 namespace Biface
 {
@@ -27,6 +29,11 @@ namespace Biface
               report.level.travel,
               report.in_contact,
               report.contact,
+              reaction_values(mesh, *report.loads, report.forces_of_bodies),
+              report.critical_point
+                ? report.critical_point->kind() +
+                    (report.critical_point->located ? "" : " passed")
+                : "",
               {},
               failure_maxima};
     for (const NamedPoint &point : mesh.points)
@@ -41,10 +48,10 @@ namespace Biface
 
 
   void
-  SummaryTable::print(const std::vector<NamedPoint> &points,
-                      std::ostream                  &out) const
+  SummaryTable::print(const ShellMesh &mesh, std::ostream &out) const
   {
-    constexpr unsigned int max_columns = 10;
+    const std::vector<NamedPoint> &points      = mesh.points;
+    constexpr unsigned int         max_columns = 10;
 
     if (lines.empty())
       return;
@@ -79,6 +86,21 @@ namespace Biface
       add("load factor", [&](const Line &line) { return number(line.factor); });
     if (any([](const Line &line) { return line.pressure != 0; }))
       add("pressure", [&](const Line &line) { return number(line.pressure); });
+    // the columns of history.csv in words
+    unsigned int reaction = 0;
+    for (const SupportMotion &motion : mesh.supported.motions)
+      for (const char *what : {motion.displacement_name(), motion.force_name()})
+        {
+          if (n_columns < max_columns)
+            add(motion.name + ' ' + what, [&](const Line &line) {
+              return number(line.reactions[reaction]);
+            });
+          ++reaction;
+        }
+    if (any([](const Line &line) { return !line.critical_point.empty(); }))
+      add("critical point", [](const Line &line) {
+        return line.critical_point.empty() ? "-" : line.critical_point;
+      });
     if (any([](const Line &line) { return line.in_contact; }))
       {
         add_contact("approach",

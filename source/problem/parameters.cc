@@ -494,6 +494,37 @@ namespace Biface
   } // namespace
 
 
+  namespace
+  {
+    /** Whether the plies at a position are the same from the inside out as from
+     * the outside in. */
+    bool
+    is_symmetric(const Layup &layup, const double alpha_1)
+    {
+      constexpr double tolerance = 1e-6;
+
+      std::vector<const PlyDescription *> plies;
+      for (const PlyDescription &ply : layup.get_plies())
+        if (ply.begin <= alpha_1 && alpha_1 <= ply.end)
+          plies.push_back(&ply);
+      for (unsigned int i = 0; i < plies.size() / 2; ++i)
+        {
+          const PlyDescription &a = *plies[i];
+          const PlyDescription &b = *plies[plies.size() - 1 - i];
+          const double          t = a.thickness(alpha_1);
+          if (a.material.name != b.material.name ||
+              std::abs(b.thickness(alpha_1) - t) > tolerance * t ||
+              // angles that differ by half a turn are the same
+              (a.material.has_fibers &&
+               std::abs(std::sin(a.angle(alpha_1) - b.angle(alpha_1))) >
+                 tolerance))
+            return false;
+        }
+      return true;
+    }
+  } // namespace
+
+
   std::vector<std::string>
   Parameters::warnings() const
   {
@@ -589,6 +620,20 @@ namespace Biface
         }))
       sentences.push_back("No stage has a 'Pressure', to which " +
                           in_quotes(of_pressure) + " would apply.");
+
+    if (surface.type == ReferenceSurface::Parameters::Type::plane)
+      {
+        const std::shared_ptr<const ReferenceSurface> made =
+          make_surface(surface);
+        const Layup layup(
+          laminate, materials, plies_on_surface(made, ChartGrid(mesh, *made)));
+        const std::vector<double> lines =
+          mesh.intervals[0].on(made->end(0)).lines();
+        if (!is_symmetric(layup, (lines[0] + lines[1]) / 2))
+          sentences.push_back(
+            "The plies are not symmetric about the middle of the wall: forces "
+            "in its plane also bend it, and moments stretch it.");
+      }
 
     if (!mesh.closed && supports.is_symmetric(2) && supports.is_symmetric(3))
       {

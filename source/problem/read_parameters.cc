@@ -88,16 +88,55 @@ namespace Biface
     }
 
 
-    /** Whether a source sets an entry outside of all sections. */
+    /** Whether a source sets an entry.
+     * @param section of the entry, with a slash at its end. */
     bool
-    sets(const Source &source, const std::string &entry)
+    sets(const Source      &source,
+         const std::string &entry,
+         const std::string &section = "")
     {
       const std::vector<ParameterLine> lines = scan_parameter_text(source.text);
       return std::any_of(
         lines.begin(), lines.end(), [&](const ParameterLine &line) {
-          return line.keyword == "set" && line.section.empty() &&
+          return line.keyword == "set" && line.section == section &&
                  line.name == entry;
         });
+    }
+
+
+    /** Remove the travels of stages whose control by a force is chosen by a
+     * later source than the travel, such as an option for a file.
+     * @return sentences about them. */
+    std::vector<std::string>
+    remove_travels(const std::vector<Source> &sources,
+                   Parameters                &parameters,
+                   ParameterHandler          &prm)
+    {
+      std::vector<std::string> notes;
+      for (unsigned int i = 0; i < parameters.stages.size(); ++i)
+        {
+          Stage            &stage   = parameters.stages[i];
+          const std::string section = "Stage " + std::to_string(i + 1);
+          if (!stage.prescribes_force() || stage.travel.value_or(0) == 0)
+            continue;
+          bool control_is_later = false;
+          for (const Source &source : sources)
+            if (sets(source, "Travel", section + "/"))
+              control_is_later = false;
+            else if (sets(source, "Control", section + "/"))
+              control_is_later = true;
+          if (!control_is_later)
+            continue;
+          notes.push_back("The entry '" + section + "/Travel', " +
+                          number_to_string(*stage.travel) +
+                          ", is ignored: with 'Control = " +
+                          stage.control_name() + "' the travel is computed.");
+          stage.travel.reset();
+          prm.enter_subsection(section);
+          prm.set("Travel", "unchanged");
+          prm.leave_subsection();
+        }
+      return notes;
     }
 
 
@@ -338,7 +377,7 @@ namespace Biface
         }
 
       make_names_absolute(file_name, parameters, prm);
-      std::vector<std::string> notes;
+      std::vector<std::string> notes = remove_travels(sources, parameters, prm);
       for (const std::string &section : surplus)
         notes.push_back("The section '" + section +
                         "' is ignored: 'Number of stages' is " +

@@ -25,16 +25,20 @@ namespace Biface
                       "entry; several numbers vary together, those with a "
                       "minus with the opposite sign. Empty for none.",
                       Patterns::Anything());
-    prm.add_parameter("Outputs",
-                      outputs,
-                      "The results whose derivatives are computed, separated "
-                      "by commas: columns of history.csv such as 'force', "
-                      "displacements of named points such as 'top u_x' or "
-                      "'top inner u_x', forces of forces.csv such as 'alpha_1 "
-                      "min F_x', frequencies of a stage with 'Modes' such as "
-                      "'frequency 1', factors of a stage with 'Buckling' such "
-                      "as 'buckling factor 1'.",
-                      Patterns::List(Patterns::Anything()));
+    prm.add_parameter(
+      "Outputs",
+      outputs,
+      "The results whose derivatives are computed, separated "
+      "by commas: columns of history.csv such as 'force', "
+      "displacements of named points such as 'top u_x' or "
+      "'top inner u_x', forces of forces.csv such as 'alpha_1 "
+      "min F_x', stiffnesses of the ground, a body or a "
+      "support that moves such as 'foundation tangent' or "
+      "'alpha_1 max secant', from the step before or the start "
+      "of the stage, frequencies of a stage with 'Modes' such as "
+      "'frequency 1', factors of a stage with 'Buckling' such "
+      "as 'buckling factor 1'.",
+      Patterns::List(Patterns::Anything()));
     prm.add_parameter("Stages",
                       stages,
                       "Numbers of the stages at whose ends derivatives are "

@@ -56,7 +56,7 @@ namespace Biface
          const std::string &name,
          const bool         templates)
     {
-      std::string names;
+      std::string names, similar;
       for (const ShippedFile &file : shipped_files())
         if (is_parameter_file(file) && is_template(file) == templates)
           {
@@ -64,7 +64,13 @@ namespace Biface
                 name == short_name(file) + ending)
               return file;
             names += (names.empty() ? "" : ", ") + short_name(file);
+            if (short_name(file).find(name) != std::string::npos)
+              similar +=
+                (similar.empty() ? "'" : ", '") + short_name(file) + "'";
           }
+      if (!name.empty() && !similar.empty())
+        throw InputError("the option '" + option + "' names '" + name +
+                         "', but there is only " + similar + ".");
       throw InputError("the option '" + option + "' names '" + name +
                        "', but there are only: " + names + ".");
     }

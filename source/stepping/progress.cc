@@ -36,6 +36,9 @@ namespace Biface
     for (std::optional<GroundReaction> *at : {&reaction, &first_reaction})
       if (*at)
         (*at)->level.factors = rearranged((*at)->level.factors, positions);
+    for (std::optional<MovingReactions> *at : {&reactions, &first_reactions})
+      if (*at)
+        (*at)->level.factors = rearranged((*at)->level.factors, positions);
   }
 
 

@@ -41,6 +41,10 @@ namespace Biface
                                 change,
                                 run.stage.n_buckling,
                                 with_left(report.instant.stage));
+    const std::vector<ForceOnShell> first =
+      forces_on_shell(run.equations,
+                      from.state,
+                      run.equations.nodal_forces(from.state, from.loads));
     // it takes as much memory as the state of the run, and is of no use any
     // more
     before = State();
@@ -54,8 +58,11 @@ namespace Biface
       out << "  buckling is sought without the rigid motions that nothing "
              "holds: "
           << in_words(found.free_motions) << std::endl;
-    const auto buckling = std::make_shared<const Buckling>(
+    const auto buckling = std::make_shared<Buckling>(
       buckling_from(found, start, from.level, level, run.stage.sealed));
+    for (const BucklingMode &mode : buckling->modes)
+      buckling->forces.push_back(
+        interpolated_forces(first, report.forces_of_bodies, mode.position));
     if (buckling->modes.empty())
       {
         out << "  no buckling is predicted for this change of the loads"

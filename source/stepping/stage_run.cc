@@ -330,6 +330,22 @@ namespace Biface
       }
     // from which the secant stiffness of the stage counts
     progress.first_reaction = progress.reaction;
+    if (stage.from_prestress)
+      progress.reactions.reset();
+    // the shell without loads, where nothing has moved or reacts
+    else if (progress.n_steps == 0)
+      {
+        progress.reactions = MovingReactions{progress.reached, {}};
+        for (const SupportMotion &motion : equations.mesh.supported.motions)
+          progress.reactions->of[motion.name];
+        for (const auto &pair : contact.pairs)
+          if (pair.get() != &contact.ground())
+            progress.reactions->of[pair->name];
+      }
+    // the ground has just been placed
+    if (progress.reactions && progress.reaction && stage.contact)
+      progress.reactions->of.insert({"foundation", MovingReaction()});
+    progress.first_reactions = progress.reactions;
     InternalForces::set_theory(stage.theory, state);
     check_bodies();
     keep_tangential_tractions();

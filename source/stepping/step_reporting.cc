@@ -7,6 +7,7 @@
 #include <biface/model/quantities/forces_on_shell.h>
 #include <biface/model/state/placed_body.h>
 #include <biface/stepping/step_reporting.h>
+#include <biface/stepping/stiffness_of_motions.h>
 
 namespace Biface
 {
@@ -86,12 +87,16 @@ namespace Biface
     report.controlled                          = run.control->controlled();
     const std::optional<GroundReaction> before = progress.reaction;
     progress.reaction.reset();
-    if (!run.stage.contact)
-      return report;
-
-    const ForceOnShell &now = force_of_ground(report.forces_of_bodies);
-    progress.reaction       = {progress.reached, now.force, now.moment};
-    report.stiffness        = stiffness(run, before);
+    if (run.stage.contact)
+      {
+        const ForceOnShell &now = force_of_ground(report.forces_of_bodies);
+        progress.reaction       = {progress.reached, now.force, now.moment};
+        report.stiffness        = stiffness(run, before);
+      }
+    const MovingReactions reactions = moving_reactions(
+      run.equations, progress.reached, loads, report.forces_of_bodies);
+    report.stiffness_of_motions = stiffness_of_motions(run, loads, reactions);
+    progress.reactions          = reactions;
     return report;
   }
 } // namespace Biface

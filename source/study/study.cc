@@ -157,34 +157,59 @@ namespace Biface
       read(const Simulation    &simulation,
            const StepReport    &report,
            const State         &state,
-           std::vector<double> &values) const
+           std::vector<double> &values)
       {
+        first_maxima.resize(outputs.size());
         const auto read = [&](const OfSteps &of, const auto &function) {
           if (of.numbers.empty())
             return;
           const std::vector<double> found = of.results.evaluate(
             simulation.get_equations(), simulation.get_cavity(), report, state);
           for (unsigned int i = 0; i < found.size(); ++i)
-            function(
-              values[of.numbers[i]], found[i], outputs[of.numbers[i]].of);
+            function(of.numbers[i], found[i]);
         };
         const unsigned int stage = report.instant.stage;
         // what is not a number does not count
-        read(steps[stage],
-             [](double &value, const double found, const Output::Of of) {
-               value = (of == Output::Of::maximum ? std::fmax(value, found)
-                                                  : std::fmin(value, found));
-             });
+        read(steps[stage], [&](const unsigned int o, const double found) {
+          if (outputs[o].of == Output::Of::first_maximum)
+            first_maxima[o].add(found, values[o]);
+          else
+            values[o] = (outputs[o].of == Output::Of::maximum
+                           ? std::fmax(values[o], found)
+                           : std::fmin(values[o], found));
+        });
         if (report.instant.fraction >= 1)
-          read(ends[stage],
-               [](double &value, const double found, const Output::Of) {
-                 value = found;
-               });
+          read(ends[stage], [&](const unsigned int o, const double found) {
+            values[o] = found;
+          });
       }
 
     private:
       using Output  = StudyParameters::Output;
       using Numbers = std::vector<unsigned int>;
+
+      /** The first value of a sequence that is larger than the next one. */
+      class FirstMaximum
+      {
+      public:
+        /** @param maximum is set if the value before this one is it. */
+        void
+        add(const double value, double &maximum)
+        {
+          if (std::isnan(value))
+            return;
+          if (last && value < *last && !is_found)
+            {
+              maximum  = *last;
+              is_found = true;
+            }
+          last = value;
+        }
+
+      private:
+        std::optional<double> last;
+        bool                  is_found = false;
+      };
 
       struct OfSteps
       {
@@ -211,6 +236,8 @@ namespace Biface
       const std::vector<Output> &outputs;
       /** By stage. */
       std::vector<OfSteps> ends, steps;
+      /** By output. */
+      std::vector<FirstMaximum> first_maxima;
     };
 
 
@@ -316,6 +343,11 @@ namespace Biface
             throw InputError(
               "Study/Base file", "", "a study needs a parameter file");
           samples = parameters.sampling.samples(folder, communicator);
+          if (parameters.reference_sample > samples.size())
+            throw InputError("Study/Reference sample",
+                             std::to_string(parameters.reference_sample),
+                             "it must be at most the number of samples, " +
+                               std::to_string(samples.size()));
         }
       catch (const InputError &error)
         {
@@ -416,7 +448,8 @@ namespace Biface
         columns.push_back(variable.get_name());
       for (const StudyParameters::Output &output : parameters.outputs)
         columns.push_back(output.name());
-      StudyTable table(parameters.directory, columns, samples);
+      StudyTable table(
+        parameters.directory, columns, samples, parameters.reference_sample);
 
       const std::string base_text = text_of_base(base_prm, base);
       std::string       reason;
@@ -506,7 +539,7 @@ namespace Biface
                     neighbors.nearest(samples[i], grid, scales))
                 options.predictor = &nearest->states;
             }
-          std::optional<const OutputsOfAnalysis> reader;
+          std::optional<OutputsOfAnalysis> reader;
           options.observer = [&](const Simulation &simulation,
                                  const StepReport &report,
                                  const State      &state) {

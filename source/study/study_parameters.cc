@@ -23,16 +23,12 @@ namespace Biface
           const auto              at = item.find('@');
           StudyParameters::Output output;
           output.result = Utilities::trim(item.substr(0, at));
-          for (const auto &[word, of] :
-               {std::make_pair("maximum ",
-                               StudyParameters::Output::Of::maximum),
-                std::make_pair("minimum ",
-                               StudyParameters::Output::Of::minimum)})
-            if (output.result.rfind(word, 0) == 0)
+          for (unsigned int of = 1; of < output.words.size(); ++of)
+            if (output.result.rfind(output.words[of], 0) == 0)
               {
-                output.of     = of;
+                output.of     = static_cast<StudyParameters::Output::Of>(of);
                 output.result = Utilities::trim(
-                  output.result.substr(std::string(word).size()));
+                  output.result.substr(std::string(output.words[of]).size()));
                 break;
               }
           if (at != std::string::npos)
@@ -100,13 +96,24 @@ namespace Biface
                parse_outputs,
                "Results that become columns of study.csv: a comma-separated "
                "list of 'result' at the end of the run, 'result @ stage' at "
-               "the end of the stage of this name, or 'maximum result' and "
-               "'minimum result' over all steps of either. A result is a "
-               "column of history.csv such as 'force', a displacement of a "
+               "the end of the stage of this name, or 'maximum result', "
+               "'minimum result' and 'first maximum result' over all steps of "
+               "either; the last one is the result of the first step before "
+               "one with a smaller result, empty if there is none. A result is "
+               "a column of history.csv such as 'force', a displacement of a "
                "named point such as 'top u_x', a component of forces.csv such "
-               "as 'alpha_1 min F_x', or, at the ends only, the frequency of a "
-               "mode such as 'frequency 1' or a factor of 'Buckling' such as "
-               "'buckling factor 1'.");
+               "as 'alpha_1 min F_x', a stiffness 'BODY tangent' or 'BODY "
+               "secant' of the ground ('foundation'), a body or a support that "
+               "moves, such as 'alpha_1 max tangent', or, at the ends only, "
+               "the frequency of a mode such as 'frequency 1' or a factor of "
+               "'Buckling' such as 'buckling factor 1'.");
+    prm.add_parameter("Reference sample",
+                      reference_sample,
+                      "Number of a sample. study.csv has a column 'OUTPUT / "
+                      "sample N' more for each output: its value over that of "
+                      "sample N, such as the knock-down factor if this is the "
+                      "perfect shell. 0: no reference.",
+                      Patterns::Integer(0));
     prm.add_parameter("Directory",
                       directory,
                       "Directory of the results, created if it does not exist. "

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 
 #include <biface/output/csv.h>
 #include <biface/problem/design_variable.h>
@@ -49,9 +50,12 @@ namespace Biface
 
   StudyTable::StudyTable(const std::string                      &directory,
                          const std::vector<std::string>         &columns,
-                         const std::vector<std::vector<double>> &samples)
+                         const std::vector<std::vector<double>> &samples,
+                         const unsigned int                      reference)
     : directory(directory)
     , header(own_columns[0])
+    , names_of_outputs(columns.begin() + samples[0].size(), columns.end())
+    , reference(reference)
     , samples(samples)
     , rows(samples.size())
   {
@@ -125,10 +129,53 @@ namespace Biface
   std::string
   StudyTable::text() const
   {
-    std::string result = header + '\n';
+    // what follows the outputs begins with the status
+    const std::string status = std::string(",") + own_columns[1];
+    std::string       result = header;
+    if (reference > 0)
+      {
+        std::string related;
+        for (const std::string &name : names_of_outputs)
+          related += ',' + name + " / sample " + std::to_string(reference);
+        result.insert(result.rfind(status), related);
+      }
+    result += '\n';
+    const std::vector<double> of_reference =
+      outputs(reference > 0 ? rows[reference - 1] : "");
     for (const std::string &row : rows)
       if (!row.empty())
-        result += row + '\n';
+        {
+          std::string related;
+          if (reference > 0)
+            {
+              const std::vector<double> own = outputs(row);
+              for (unsigned int o = 0; o < own.size(); ++o)
+                {
+                  const double ratio = own[o] / of_reference[o];
+                  related += (std::isfinite(ratio) ? csv_number(ratio) : "") +
+                             std::string(",");
+                }
+            }
+          // the text of the status is in quotes, as nothing before it
+          const auto quote = row.find('"');
+          result += row.substr(0, quote) + related + row.substr(quote) + '\n';
+        }
+    return result;
+  }
+
+
+  std::vector<double>
+  StudyTable::outputs(const std::string &row) const
+  {
+    std::vector<double>            result(names_of_outputs.size(),
+                               std::numeric_limits<double>::quiet_NaN());
+    const std::vector<std::string> cells =
+      dealii::Utilities::split_string_list(row.substr(0, row.find('"')), ',');
+    // the number of the sample and the variables come first
+    const std::size_t first = 1 + samples[0].size();
+    for (unsigned int o = 0; o < result.size(); ++o)
+      if (first + o < cells.size() && !cells[first + o].empty())
+        result[o] = std::stod(cells[first + o]);
     return result;
   }
 

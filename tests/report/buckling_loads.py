@@ -23,7 +23,7 @@ check(len(loads) == 2, f"{len(loads)} buckling loads")
 for line in loads:
     found = [row for row in page.rows if row[0][:2] == ["buckling", line["mode"]]]
     check(len(found) == 1, f"load {line['mode']} is there {len(found)} times")
-    for value, column in zip(found[0][1], ("factor", "load_factor", "load_work")):
+    for value, column in zip(found[0][1], ("factor", "load_factor", "reaction", "load_work")):
         check_equal(value, float(line[column]), column)
     check(found[0][0][-1] == "≈ 0", "the load works on the shape of buckling")
 check(any(image["alt"].startswith("Shapes of the first buckling loads")

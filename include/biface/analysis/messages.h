@@ -32,29 +32,24 @@ namespace Biface
     /** The line of a step, such as "step 3 of 21: ...; 2.1 s so far, about 12 s
      * left". The total number of steps and the remaining time, which follows
      * from expected_iterations(), are given if each step is a given fraction of
-     * its stage. */
+     * its stage. Steps that were halved are expected to stay as short to the
+     * end of their stage. To be called for each step. */
     std::string
-    line(const StepReport &report, const Progress &progress) const;
+    line(const StepReport &report, const Progress &progress);
 
   private:
-    /** A quantity of which each stage has its part. */
-    struct Amount
-    {
-      std::vector<double> of_stages;
-      double              at_begin = 0;
+    /** The fraction of a stage that is done; 0 of one that has not begun. */
+    static double
+    done(const Progress &progress);
 
-      /** What is completed, fractions of stages included. */
-      double
-      done(const Progress &progress) const;
-
-      double
-      left(const Progress &progress) const;
-    };
-
-    /** The planned steps, and their iterations. */
-    Amount        steps, iterations;
-    bool          predictable = true;
-    dealii::Timer timer;
+    /** The planned steps of each stage, and what a step takes, see
+     * expected_iterations(). */
+    std::vector<double> steps, iterations;
+    bool                predictable = true;
+    dealii::Timer       timer;
+    /** The place of the last step, and what all steps so far have taken. */
+    unsigned int last_stage = 0;
+    double       last_done = 0, iterations_done = 0;
   };
 
 

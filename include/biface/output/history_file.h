@@ -35,6 +35,9 @@ namespace Biface
     /** A function that computes the values of a step, one for each column;
      * empty fields are not set. Must be called on all ranks. */
     std::function<std::vector<std::optional<double>>(const Step &)> values;
+
+    /** Whether the values are those of StepReport::forces_of_bodies. */
+    bool of_forces = false;
   };
 
   /** The groups of columns of history.csv that follow the step and the name of

@@ -25,6 +25,9 @@ namespace Biface
    * - a column of probes.csv at a named point, such as `top u_x`, of the middle
    *   surface unless the face is given, as in `top inner u_x`;
    * - a column of forces.csv of a body, such as `alpha_1 min F_x`;
+   * - the stiffness of a body or support that moves, `BODY tangent` and
+   *   `BODY secant`, see StiffnessOfMotion, with the name `foundation` of the
+   *   ground; of a support with several motions the name of the motion;
    * - the frequency of a mode, such as `frequency 1`;
    * - the factor of buckling.csv of a shape, such as `buckling factor 1`.
    */
@@ -85,12 +88,17 @@ namespace Biface
       return have(Source::Kind::buckling);
     }
 
-    /** Whether a force of a body is among the results. */
+    /** Whether a stiffness is among the results. */
     bool
-    have_force() const
+    have_stiffness() const
     {
-      return have(Source::Kind::force);
+      return have(Source::Kind::stiffness);
     }
+
+    /** Whether a force of a body is among the results, or one that follows
+     * from it. */
+    bool
+    have_force() const;
 
     /** The values of the results in a step. Must be called on all ranks.
      * @param cavity null if its volume is not of interest. */
@@ -109,6 +117,7 @@ namespace Biface
         history,
         probe,
         force,
+        stiffness,
         frequency,
         buckling
       };
@@ -117,8 +126,11 @@ namespace Biface
       /** The number of the group of columns of history.csv, of the point, the
        * body or the shape. */
       unsigned int position = 0;
+      /** What moves against the stiffness. */
+      std::string name;
       /** The position in the group, or among the components of the last columns
-       * of probes.csv or forces.csv. */
+       * of probes.csv or forces.csv; of a stiffness 0 for the tangent, 1 for
+       * the secant. */
       unsigned int component = 0;
       /** The weight of the inner face in a displacement: 0 or 1 for one of the
        * faces, 0.5 for the middle surface. */

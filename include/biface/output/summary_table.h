@@ -27,13 +27,13 @@ namespace Biface
 
     /**
      * Print the table: the load factor and the pressure if not zero, the
-     * contact zone of steps with contact, the maxima of failure indices, and
-     * for each named point the component of the displacement that is largest at
-     * the end, for as many points as fit. Nothing without steps.
-     * @param points the named points of the mesh.
+     * displacements and forces of supports that move, the contact zone of steps
+     * with contact, critical points, the maxima of failure indices, and for
+     * each named point the component of the displacement that is largest at the
+     * end, for as many points as fit. Nothing without steps.
      */
     void
-    print(const std::vector<NamedPoint> &points, std::ostream &out) const;
+    print(const ShellMesh &mesh, std::ostream &out) const;
 
     template <class Archive>
     void
@@ -49,6 +49,11 @@ namespace Biface
       double         factor, pressure, approach;
       bool           in_contact;
       ContactSummary contact;
+      /** The displacements and forces of supports, see reaction_values(). */
+      std::vector<double> reactions;
+      /** The kind of the critical point that the step has passed; empty for
+       * none. */
+      std::string critical_point;
       /** Cartesian displacements of the middle surface at the named points, one
        * after the other. */
       std::vector<double>         displacements;
@@ -59,8 +64,8 @@ namespace Biface
       serialize(Archive &archive, const unsigned int)
       {
         archive &step &factor &pressure &approach &in_contact &contact.force;
-        archive &contact.n_nodes &contact.area &contact.max_pressure;
-        archive &displacements                 &failure_maxima;
+        archive &contact.n_nodes &contact.area            &contact.max_pressure;
+        archive &reactions &critical_point &displacements &failure_maxima;
       }
     };
 

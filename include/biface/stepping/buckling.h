@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include <biface/model/quantities/forces_on_shell.h>
 #include <biface/solver/buckling_analysis.h>
 #include <biface/stepping/load_level.h>
 
@@ -27,6 +28,10 @@ namespace Biface
     std::vector<BucklingMode> modes;
     /** The critical loads of each of the modes. */
     std::vector<CriticalLoads> loads;
+    /** The forces at the critical loads of each of the modes, on the straight
+     * line through those of the two equilibria of the analysis; empty if they
+     * are not of interest. */
+    std::vector<std::vector<ForceOnShell>> forces;
   };
 
 

@@ -11,6 +11,7 @@
 
 #include <biface/model/quantities/work.h>
 #include <biface/stepping/controls/control.h>
+#include <biface/stepping/moving_reactions.h>
 #include <biface/stepping/secant_predictor.h>
 #include <biface/stepping/stiffness_against_ground.h>
 
@@ -49,6 +50,11 @@ namespace Biface
     /** The forces and moments that the ground exerts now, and at the start
      * of the stage; not set if there was no ground. */
     std::optional<GroundReaction> reaction, first_reaction;
+
+    /** The reactions of supports and bodies that move, now and at the start of
+     * the stage; not set before the first step after a start from a prestress,
+     * where displacements count from another shape. */
+    std::optional<MovingReactions> reactions, first_reactions;
 
     /** The rolling radius at the end of the last stage that ended in free
      * rolling, see Biface::free_rolling_radius(). */
@@ -128,6 +134,8 @@ namespace Biface
       archive &first_contact_point &factors_of_shape &work;
       serialize_optional(archive, reaction);
       serialize_optional(archive, first_reaction);
+      serialize_optional(archive, reactions);
+      serialize_optional(archive, first_reactions);
       serialize_optional(archive, free_rolling_radius);
       serialize_optional(archive, n_negative_pivots);
       archive &failed_stages &control &predictor;

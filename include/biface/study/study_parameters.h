@@ -5,6 +5,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,13 @@ namespace Biface
       {
         end,
         maximum,
-        minimum
+        minimum,
+        first_maximum
       };
+      /** The words before the result, by Of. */
+      static constexpr std::array<const char *, 4> words{
+        {"", "maximum ", "minimum ", "first maximum "}};
+
       Of          of = Of::end;
       std::string result;
       /** The name of the stage; empty for the run. */
@@ -35,7 +41,6 @@ namespace Biface
       std::string
       name() const
       {
-        const char *const words[] = {"", "maximum ", "minimum "};
         return words[static_cast<int>(of)] + result +
                (stage.empty() ? "" : " @ " + stage);
       }
@@ -47,7 +52,10 @@ namespace Biface
     bool                  warm_start = true;
     std::vector<Override> settings;
     std::vector<Output>   outputs;
-    Sampling              sampling;
+    /** The number of the sample to whose outputs those of all are related, from
+     * 1; 0 for none. */
+    unsigned int reference_sample = 0;
+    Sampling     sampling;
 
     /** Declare the section 'Study'. */
     void

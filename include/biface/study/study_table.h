@@ -39,10 +39,13 @@ namespace Biface
     /** The table of the samples in the directory of a study.
      * @param directory that of the study.
      * @param columns the names of the variables and outputs.
-     * @param samples the values of the variables. */
+     * @param samples the values of the variables.
+     * @param reference the number of the sample to whose outputs those of all
+     * samples are related, from 1; 0 for none. */
     StudyTable(const std::string                      &directory,
                const std::vector<std::string>         &columns,
-               const std::vector<std::vector<double>> &samples);
+               const std::vector<std::vector<double>> &samples,
+               const unsigned int                      reference);
 
     /** The directory of a sample. */
     std::string
@@ -65,7 +68,8 @@ namespace Biface
     bool
     has_foreign_row() const;
 
-    /** The text of the table: the collected rows. */
+    /** The text of the table: the collected rows, with the outputs over those
+     * of the reference. */
     std::string
     text() const;
 
@@ -95,8 +99,14 @@ namespace Biface
     std::string
     first_cells(const unsigned int sample) const;
 
+    /** The outputs in the row of a sample, not a number where there is none. */
+    std::vector<double>
+    outputs(const std::string &row) const;
+
     std::string                      directory;
     std::string                      header;
+    std::vector<std::string>         names_of_outputs;
+    unsigned int                     reference;
     std::vector<std::vector<double>> samples;
     /** The row of each sample; empty if not collected. */
     std::vector<std::string> rows;

@@ -214,6 +214,8 @@ namespace Biface
       };
       for (unsigned int face = 0; face < 2; ++face)
         set(face * (n_faces - 1), condition.coefficients[face]);
+      if (condition.value != 0 || condition.formula)
+        equation.factor = condition.factor;
       std::vector<SupportEquation> equations{equation};
 
       const bool of_outer = condition.coefficients[1] != 0;

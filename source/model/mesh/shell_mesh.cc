@@ -22,6 +22,7 @@
 #include <biface/model/mesh/parallel_triangulation.h>
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/mesh/strip.h>
+#include <biface/model/mesh/support_motions.h>
 #include <biface/model/mesh/supports.h>
 #include <biface/surface/greatest_deviation.h>
 #include <biface/surface/imperfection.h>
@@ -430,6 +431,7 @@ namespace Biface
       static_cast<types::global_dof_index>(cells.size()), communicator);
     find_points(positions);
     make_constraints(supports, *this, constraints, prescribed, supported);
+    supported.motions = find_support_motions(supports, *this, supported);
 
     for (Node &node : nodes)
       for (const auto face : {Resultants::inner, Resultants::outer})

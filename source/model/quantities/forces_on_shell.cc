@@ -8,6 +8,8 @@
 #include <array>
 
 #include <biface/model/quantities/forces_on_shell.h>
+#include <biface/model/state/load_rates.h>
+#include <biface/model/state/loads.h>
 
 namespace Biface
 {
@@ -44,8 +46,17 @@ namespace Biface
     }
 
 
+    /** The force of an equation of a support on a node: a multiple of its
+     * coefficients. */
+    struct ForceOfEquation
+    {
+      double     multiplier;
+      FaceForces forces;
+    };
+
+
     /** The forces of single equations of supports on a node. */
-    std::vector<FaceForces>
+    std::vector<ForceOfEquation>
     support_forces(const std::vector<SupportEquation> &equations,
                    const FaceForces                   &total,
                    const unsigned int                  n_faces)
@@ -78,12 +89,16 @@ namespace Biface
       products.gauss_jordan();
       products.vmult(multipliers, work);
 
-      std::vector<FaceForces> forces(n, FaceForces(total.size()));
+      std::vector<ForceOfEquation> result;
       for (unsigned int k = 0; k < n; ++k)
-        for (unsigned int i = 0; i < 3; ++i)
-          for (unsigned int face = 0; face < total.size(); ++face)
-            forces[k][face][i] = multipliers(k) * coefficient(k, i, face);
-      return forces;
+        {
+          FaceForces forces(total.size());
+          for (unsigned int i = 0; i < 3; ++i)
+            for (unsigned int face = 0; face < total.size(); ++face)
+              forces[face][i] = multipliers(k) * coefficient(k, i, face);
+          result.push_back({multipliers(k), forces});
+        }
+      return result;
     }
 
 
@@ -92,6 +107,10 @@ namespace Biface
       unsigned int body;
       unsigned int node;
       FaceForces   forces;
+      /** The load factor of the displacement that is prescribed, if any, and
+       * the work on it at the factor 1, in one of the parts of an equation. */
+      unsigned int factor = numbers::invalid_unsigned_int;
+      double       work   = 0;
     };
 
     FaceForces
@@ -149,23 +168,31 @@ namespace Biface
           // faces that stay together exchange forces
           if (equation.body == numbers::invalid_unsigned_int)
             {
-              rest = sum(rest, scaled(-1, held[k]));
+              rest = sum(rest, scaled(-1, held[k].forces));
               continue;
             }
+          const unsigned int first = result.size();
           for (unsigned int i = 0; i < item.nodes.size(); ++i)
             {
-              const auto begin = held[k].begin() + n_faces * i;
+              const auto begin = held[k].forces.begin() + n_faces * i;
               result.push_back(
                 {equation.body,
                  item.nodes[i],
                  scaled(share, FaceForces(begin, begin + n_faces))});
             }
-          rest = sum(rest, scaled(-share, held[k]));
+          rest = sum(rest, scaled(-share, held[k].forces));
           if (paired)
             {
-              result.push_back(
-                {equation.body, item.partner, scaled(1 - share, held[k])});
-              rest_there = sum(rest_there, scaled(share - 1, held[k]));
+              result.push_back({equation.body,
+                                item.partner,
+                                scaled(1 - share, held[k].forces)});
+              rest_there = sum(rest_there, scaled(share - 1, held[k].forces));
+            }
+          if (equation.factor != numbers::invalid_unsigned_int)
+            {
+              result[first].factor = equation.factor;
+              result[first].work =
+                held[k].multiplier * equation.values[equation.factor];
             }
         }
       if (paired)
@@ -190,8 +217,21 @@ namespace Biface
       Resultant(const ShellMesh   &mesh,
                 const LA::Vector  &displacement,
                 const unsigned int n_bodies)
-        : mesh(mesh), displacement(displacement), sums(6 * n_bodies)
+        : mesh(mesh)
+        , displacement(displacement)
+        , sums(6 * n_bodies)
+        , works(mesh.supported.motions.size())
       {}
+
+      void
+      add(const SupportForce &part)
+      {
+        add(part.body, mesh.nodes[part.node], part.forces);
+        const std::vector<SupportMotion> &motions = mesh.supported.motions;
+        for (unsigned int m = 0; m < motions.size(); ++m)
+          if (motions[m].body == part.body && motions[m].factor == part.factor)
+            works[m] += part.work;
+      }
 
       void
       add(const unsigned int body,
@@ -218,15 +258,23 @@ namespace Biface
       on_all_ranks(const std::vector<std::string> &bodies)
       {
         Utilities::MPI::sum(sums, mesh.communicator, sums);
+        if (!works.empty())
+          Utilities::MPI::sum(works, mesh.communicator, works);
         std::vector<ForceOnShell> result;
         for (unsigned int b = 0; b < bodies.size(); ++b)
           {
-            result.push_back({bodies[b], {}, {}});
+            result.push_back({bodies[b], {}, {}, {}});
             for (unsigned int i = 0; i < 3; ++i)
               {
                 result[b].force[i]  = sums[6 * b + i];
                 result[b].moment[i] = sums[6 * b + 3 + i];
               }
+          }
+        for (unsigned int m = 0; m < works.size(); ++m)
+          {
+            const SupportMotion &motion = mesh.supported.motions[m];
+            result[motion.body].along_motions.push_back(
+              motion.multiple * works[m] / motion.amount);
           }
         return result;
       }
@@ -235,6 +283,8 @@ namespace Biface
       const ShellMesh    &mesh;
       const LA::Vector   &displacement;
       std::vector<double> sums;
+      /** The works of the supports on their motions at the load factor 1. */
+      std::vector<double> works;
     };
   } // namespace
 
@@ -314,7 +364,7 @@ namespace Biface
     for (const SupportedNodes::Item &item : mesh.supported.items)
       if (mesh.nodes[item.nodes[0]].locally_owned)
         for (const auto &part : support_forces(mesh, item, missing))
-          resultant.add(part.body, mesh.nodes[part.node], part.forces);
+          resultant.add(part);
     for (const SupportedNodes::Item &item : mesh.supported.items)
       if (mesh.nodes[item.nodes[0]].locally_owned)
         for (const auto &part : support_forces(mesh, item, initial))
@@ -335,8 +385,51 @@ namespace Biface
     for (const SupportedNodes::Item &item : mesh.supported.items)
       if (mesh.nodes[item.nodes[0]].locally_owned)
         for (const auto &part : support_forces(mesh, item, readable))
-          resultant.add(part.body, mesh.nodes[part.node], part.forces);
+          resultant.add(part);
     return resultant.on_all_ranks(bodies);
+  }
+
+
+  std::vector<SupportReaction>
+  support_reactions(const ShellMesh                 &mesh,
+                    const Loads                     &loads,
+                    const std::vector<ForceOnShell> &forces)
+  {
+    const std::vector<SupportMotion> &motions = mesh.supported.motions;
+    std::vector<SupportReaction>      result;
+    for (unsigned int m = 0; m < motions.size(); ++m)
+      {
+        const SupportMotion &motion = motions[m];
+        // those of a body follow each other
+        unsigned int position = 0;
+        for (unsigned int k = 0; k < m; ++k)
+          position += (motions[k].body == motion.body);
+        result.push_back({motion.displacement_at(
+                            factor_at(loads.factors, motion.factor) -
+                            factor_at(loads.factors_of_shape, motion.factor)),
+                          forces[motion.body].along_motions[position]});
+      }
+    return result;
+  }
+
+
+  std::vector<ForceOnShell>
+  interpolated_forces(const std::vector<ForceOnShell> &first,
+                      const std::vector<ForceOnShell> &second,
+                      const double                     position)
+  {
+    std::vector<ForceOnShell> result = second;
+    for (unsigned int b = 0; b < result.size(); ++b)
+      {
+        result[b].force += (position - 1) * (second[b].force - first[b].force);
+        result[b].moment +=
+          (position - 1) * (second[b].moment - first[b].moment);
+        for (unsigned int m = 0; m < result[b].along_motions.size(); ++m)
+          result[b].along_motions[m] +=
+            (position - 1) *
+            (second[b].along_motions[m] - first[b].along_motions[m]);
+      }
+    return result;
   }
 
 

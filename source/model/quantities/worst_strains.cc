@@ -305,7 +305,8 @@ namespace Biface
            (at_the_end
               ? " A linear (St. Venant-Kirchhoff) material has no "
                 "stiffness left at the strain -1/3; close to it, steps "
-                "fail, however small."
+                "fail, however small. Where a wall folds over, as a "
+                "sidewall over the flange of a rim, see doc/limits.md."
               : "") +
            (worst.short_wave && worst.short_wave->stiffness.value < small
               ? " Where cells are shorter than the wall is thick, a face that "

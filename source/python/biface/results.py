@@ -137,6 +137,20 @@ class Results:
         return self.history[column][-1]
 
     @property
+    def support_motions(self) -> dict[str, tuple[str, str]]:
+        """The supports that move, as history.csv names them, each with its columns of
+        the displacement and the force along it, such as "alpha_1_max": ("alpha_1_max_displacement",
+        "alpha_1_max_force"); for a rotation, of the angle and the moment."""
+        found = {}
+        for kinds in (("displacement", "force"), ("angle", "moment")):
+            for column in self.history:
+                name = column.removesuffix(f"_{kinds[0]}")
+                columns = tuple(f"{name}_{kind}" for kind in kinds)
+                if name != column and columns[1] in self.history:
+                    found[name] = columns
+        return found
+
+    @property
     def in_contact(self) -> np.ndarray:
         """For each step, whether any node is in contact."""
         return self.history["contact_nodes"] > 0

@@ -65,10 +65,14 @@ class Study(Table):
 
     def _split(self, names):
         """The columns of variables and those of outputs: the latter are as many
-        as study.prm names, and empty in samples that failed."""
+        as study.prm names, and empty in samples that failed. Those over the outputs of
+        a `Reference sample` are among them."""
         entry = self.parameters and self.parameters.entries.get("Study/Outputs")
         n_outputs = (len([item for item in entry.value.split(",") if item.strip()])
                      if entry else 0)
+        # each has a column more, over the output of a reference
+        if any(" / sample " in name for name in names[-1:]):
+            n_outputs *= 2
         at = max(len(names) - n_outputs, 0)
         return names[:at], names[at:]
 

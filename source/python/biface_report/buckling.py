@@ -7,6 +7,7 @@ import numpy as np
 
 from .page import LeftOut, Section, number, paragraph, plain_number, table
 from .shapes import pictures_of
+from .units import units_of
 
 # Columns of loads, and their heads
 LOADS = {"pressure": "Pressure", "load_factor": "Load factor",
@@ -18,6 +19,24 @@ def load_columns(found):
     return [column for column in LOADS if (found[column] != 0).any()]
 
 
+def force_columns(found):
+    """The forces that are there: on the ground, and of supports that move; the
+    largest one of a support if there are no others."""
+    columns = [column for column in found if column == "force"
+               or column.endswith(("_force", "_moment"))]
+    columns = [column for column in columns if (found[column] != 0).any()]
+    return columns or [column for column in ("reaction",) if column in found
+                       and (found[column] != 0).any()]
+
+
+def force_head(column, units):
+    """What a column of forces is called, with its unit."""
+    own = {"force": "Force on the ground", "reaction": "Largest reaction"}
+    kind = "moment" if column.endswith("_moment") else "force"
+    return units.label(own.get(column) or
+                       f"{kind.capitalize()} of {column.rpartition('_')[0]}", kind)
+
+
 def wave_columns(found):
     """Columns of wave numbers, if any shape has them."""
     waves = found.get("circumferential_waves", np.array([np.nan]))
@@ -25,9 +44,10 @@ def wave_columns(found):
             if np.isfinite(waves).any() else [])
 
 
-def common_heads(found):
+def common_heads(found, units):
     """Heads of the cells of common_cells()."""
     return (["Factor"] + [LOADS[column] for column in load_columns(found)]
+            + [force_head(column, units) for column in force_columns(found)]
             + (["Work of the loads"] if "load_work" in found else [])
             + (["Waves around", "Half waves along the meridian"]
                if wave_columns(found) else []))
@@ -36,7 +56,8 @@ def common_heads(found):
 def common_cells(found, i):
     """Factor, loads and wave numbers in row i."""
     cells = [number(found["factor"][i])]
-    cells += [number(found[column][i]) for column in load_columns(found)]
+    cells += [number(found[column][i])
+              for column in load_columns(found) + force_columns(found)]
     if "load_work" in found:
         # relative to that on a motion of all nodes
         cells.append(number(found["load_work"][i], 3, scale=1))
@@ -55,7 +76,7 @@ def buckling(run):
     rows = [[escape(found["stage"][i]), str(int(found["mode"][i]))]
             + common_cells(found, i) for i in range(len(found))]
     all_loads = table("Buckling loads, from buckling.csv",
-                      ["Stage", "Load"] + common_heads(found), rows)
+                      ["Stage", "Load"] + common_heads(found, units_of(run)), rows)
     text = paragraph(
         "Predicted at the end of each stage. The loads change in the stage; if all "
         "of this change is multiplied by the factor, the shell buckles: at 1, with "
@@ -96,7 +117,8 @@ def critical_points(run):
         "not. The loads are those of the end of the step.")
     return Section("critical", name, table(
         "Critical points, from critical_points.csv",
-        ["", "Stage", "Kind", "", "Negative pivots"] + common_heads(found), rows)
+        ["", "Stage", "Kind", "", "Negative pivots"]
+        + common_heads(found, units_of(run)), rows)
         + text, True)
 
 
@@ -105,3 +127,11 @@ def kinds_of_steps(run):
     found = run.critical_points()
     return {} if found is None else dict(zip(found["step"].astype(int),
                                              found["kind"]))
+
+
+def critical_range(run, steps):
+    """The critical points among some steps in words."""
+    kinds = kinds_of_steps(run)
+    names = "; ".join(f"{kinds[step]} in step {step}" for step in steps
+                      if step in kinds)
+    return f" Rings: critical points, {escape(names)}." if names else ""

@@ -8,7 +8,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from . import charts, maps, view
-from .buckling import buckling, critical_points, kinds_of_steps
+from .buckling import buckling, critical_points, critical_range
 from .drawing import STYLE, embed, plain
 from .footprint import Footprint, normal_of_nodes
 from .ground import ground_in_step, ground_of
@@ -18,6 +18,7 @@ from .motion import motion, moves
 from .page import (LeftOut, Section, count, details, figure, missing, number,
                    page, plain_number, table)
 from .point_content import ply_stresses, points
+from .reactions import reactions
 from .response import response
 from .rolling import rolling
 from .section import (SectionPlane, across_coordinate_line, is_straight,
@@ -36,6 +37,7 @@ def report(run):
     plt.rcParams.update(STYLE)
     footprint = find_footprint(run)
     parts = [summary(run, footprint), view.shell(run), motion(run), curve(run),
+             reactions(run),
              footprint_map(run, footprint), stick_slip(run, footprint),
              wheel_forces(run), tire_test(run), rolling(run), stiffness(run),
              sections_of_shell(run), modes(run), response(run), buckling(run),
@@ -118,14 +120,6 @@ def contact_range(run):
     """The last point of the curve in words."""
     return (f"At an approach of {plain_number(run.last('approach'))} the force "
             f"is {plain_number(run.last('force'))}.")
-
-
-def critical_range(run, steps):
-    """The critical points among some steps in words."""
-    kinds = kinds_of_steps(run)
-    names = "; ".join(f"{kinds[step]} in step {step}" for step in steps
-                      if step in kinds)
-    return f" Rings: critical points, {escape(names)}." if names else ""
 
 
 def footprint_map(run, footprint):

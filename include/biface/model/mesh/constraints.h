@@ -12,6 +12,7 @@
 #include <valarray>
 #include <vector>
 
+#include <biface/model/mesh/support_motion.h>
 
 namespace Biface
 {
@@ -47,6 +48,9 @@ namespace Biface
     /** The fraction of the forces of the support on the node itself; the rest
      * acts on the partner of a node on a cyclic edge. */
     double share;
+    /** The position in Loads::factors of the factor of the displacement, if
+     * it is prescribed and not zero everywhere; otherwise invalid. */
+    unsigned int factor = dealii::numbers::invalid_unsigned_int;
   };
 
 
@@ -72,6 +76,8 @@ namespace Biface
      * cyclic. */
     std::array<unsigned int, 2> cyclic_bodies;
     std::vector<Item>           items;
+    /** The motions of supports, see find_support_motions(). */
+    std::vector<SupportMotion> motions;
   };
 
 
@@ -92,7 +98,7 @@ namespace Biface
    *
    * @param constraints the supports with zero prescribed displacements, closed.
    * @param prescribed the prescribed displacements that are not zero.
-   * @param supported the equations themselves.
+   * @param supported the equations themselves, without motions.
    */
   void
   make_constraints(const Supports                      &supports,

@@ -20,6 +20,11 @@ namespace Biface
     dealii::Tensor<1, 3> force;
     /** The moment about the origin. Unit: force times length. */
     dealii::Tensor<1, 3> moment;
+    /** The forces, or moments, of a support along its motions: those of
+     * SupportedNodes::motions whose body it is, each of the whole structure,
+     * see SupportMotion::multiple. Empty for what prescribes no displacement.
+     */
+    std::vector<double> along_motions;
 
     /** The moment about another point. */
     dealii::Tensor<1, 3>
@@ -75,6 +80,32 @@ namespace Biface
   forces_of_supports(const ShellMesh  &mesh,
                      const LA::Vector &displacement,
                      const LA::Vector &missing);
+
+
+  /** The displacement of a motion of a support, and the force or moment along
+   * it. Unit: length, or degrees; force, or force times length. */
+  struct SupportReaction
+  {
+    double displacement = 0;
+    double force        = 0;
+  };
+
+
+  /** The reactions of the motions of all supports, in the order of
+   * SupportedNodes::motions.
+   * @param forces those of forces_on_shell(). */
+  std::vector<SupportReaction>
+  support_reactions(const ShellMesh                 &mesh,
+                    const Loads                     &loads,
+                    const std::vector<ForceOnShell> &forces);
+
+
+  /** The forces on the straight line through those of two states: at 0 the
+   * first ones, at 1 the second ones. */
+  std::vector<ForceOnShell>
+  interpolated_forces(const std::vector<ForceOnShell> &first,
+                      const std::vector<ForceOnShell> &second,
+                      const double                     position);
 
 
   /** The resultant of the ground among those of forces_on_shell(). */

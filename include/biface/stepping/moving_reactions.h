@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_stepping_moving_reactions_h
+#define biface_stepping_moving_reactions_h
+
+#include <deal.II/base/tensor.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <biface/model/quantities/forces_on_shell.h>
+#include <biface/stepping/load_level.h>
+
+namespace Biface
+{
+  /** What moves on the shell, and what it exerts on the shell. */
+  struct MovingReaction
+  {
+    /** The displacement and the force of a body; those of a support have one
+     * component. */
+    dealii::Tensor<1, 3> displacement, force;
+    /** The rotation of a body as a vector; zero for a support. */
+    dealii::Tensor<1, 3> rotation;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &displacement &force &rotation;
+    }
+  };
+
+
+  /** All of them in an equilibrium: the ground as `foundation`, the bodies and
+   * the motions of supports, see SupportMotion, by name, and the loads. */
+  struct MovingReactions
+  {
+    LoadLevel                             level;
+    std::map<std::string, MovingReaction> of;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &level &of;
+    }
+  };
+
+
+  /** The reactions in an equilibrium.
+   * @param forces those of forces_on_shell(). */
+  MovingReactions
+  moving_reactions(const ShellEquations            &equations,
+                   const LoadLevel                 &level,
+                   const Loads                     &loads,
+                   const std::vector<ForceOnShell> &forces);
+} // namespace Biface
+
+#endif
