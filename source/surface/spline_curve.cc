@@ -146,6 +146,8 @@ namespace Biface
 
     // between two neighboring points
     constexpr unsigned int n_samples = 4;
+    // from one sample to the next that is tried first
+    constexpr std::size_t stride = 16;
   } // namespace
 
 
@@ -193,6 +195,13 @@ namespace Biface
                                               k / (4 * n_samples);
           samples.emplace_back(s, evaluate(s).position);
         }
+    std::stable_sort(
+      samples.begin(), samples.end(), [](const auto &a, const auto &b) {
+        return a.first < b.first;
+      });
+    for (std::size_t i = 1; i < samples.size(); ++i)
+      largest_step = std::max(
+        largest_step, samples[i].second.distance(samples[i - 1].second));
   }
 
 
@@ -367,17 +376,41 @@ namespace Biface
 
 
   double
+  SplineCurve::nearest_sample(const Point<2> &point) const
+  {
+    const auto distance = [&](const std::size_t i) {
+      return samples[i].second.distance(point);
+    };
+    std::size_t nearest = 0;
+    double      least   = distance(0);
+    const auto  visit   = [&](const std::size_t i) {
+      const double d = distance(i);
+      if (d < least)
+        {
+          nearest = i;
+          least   = d;
+        }
+      return d;
+    };
+    for (std::size_t i = stride; i < samples.size(); i += stride)
+      visit(i);
+    // those that cannot be nearer are left out: from one sample to the next,
+    // the distance decreases by at most the largest step
+    for (std::size_t i = 0; i < samples.size();)
+      {
+        const double surplus = visit(i) - least;
+        i += 1 + static_cast<std::size_t>(surplus / largest_step);
+      }
+    return samples[nearest].first;
+  }
+
+
+  double
   SplineCurve::parameter_of(const Point<2> &point) const
   {
     // the nearest of the samples, then Newton's method for the foot of the
     // perpendicular
-    double best = std::min_element(samples.begin(),
-                                   samples.end(),
-                                   [&](const auto &a, const auto &b) {
-                                     return a.second.distance_square(point) <
-                                            b.second.distance_square(point);
-                                   })
-                    ->first;
+    double best = nearest_sample(point);
     for (unsigned int iteration = 0; iteration < 20; ++iteration)
       {
         const PointOfCurve curve  = evaluate(best);

@@ -792,10 +792,10 @@ namespace
       {
         std::vector<std::string> values{"",
                                         "word",
+                                        "nan",
                                         "1x",
                                         "1 2",
                                         "1,5",
-                                        "nan",
                                         "inf",
                                         "-inf",
                                         "1e999",
@@ -814,9 +814,9 @@ namespace
     if (pattern.rfind("[Integer", 0) == 0)
       return {"",
               "word",
+              "1.5",
               "1x",
               "1 2",
-              "1.5",
               "1e3",
               "nan",
               "-1",
@@ -963,11 +963,17 @@ main(int argc, char *argv[])
       check_defaults();
     }
   std::set<std::string> names;
+  // one parser reads all entries of a kind: of the values that are wrong for
+  // it, each entry gets the first three and, by turns, a third of the others
+  unsigned int turn = 0;
   for (const Entry &entry : entries)
     {
       names.insert(entry.name);
-      for (const std::string &value : wrong_values(entry.pattern))
-        try_settings(sound, entry.name, value, {});
+      const std::vector<std::string> values = wrong_values(entry.pattern);
+      for (unsigned int i = 0; i < values.size(); ++i)
+        if (i < 3 || i % 3 == turn % 3 || values[i] == "-1")
+          try_settings(sound, entry.name, values[i], {});
+      ++turn;
 
       const auto wrong = by_name.find(entry.name);
       if (wrong != by_name.end())
@@ -997,7 +1003,7 @@ main(int argc, char *argv[])
 
   if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
     {
-      check_true("every entry has been tried", n_runs > 5 * entries.size());
+      check_true("every entry has been tried", n_runs > 3 * entries.size());
       check_true("all wrong values are refused with a sentence", n_faults == 0);
     }
   return 0;

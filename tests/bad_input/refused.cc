@@ -2,10 +2,12 @@
 
 // Each command line of the table command_lines.txt, and each file NAME.prm of
 // this folder, is answered with the exit code and the sentence that it expects,
-// on any number of ranks; one process tries all.
+// on any number of ranks; one process tries all. A coarse mesh gives most of
+// the answers; the others are those with the mesh of the file.
 
 #include <algorithm>
 #include <iomanip>
+#include <map>
 
 #include "../run_file.h"
 
@@ -99,6 +101,19 @@ namespace
   }
 
 
+  /** Coarse meshes of shipped files, by the file: alpha_1 and alpha_2. */
+  const std::pair<std::string, std::string> coarse_tire{
+    "-120:-45:2, -45:45:4, 45:120:2",
+    "-180:-15:2:smooth, -15:15:4, 15:180:2:smooth"};
+  const std::map<std::string, std::pair<std::string, std::string>>
+    coarse_meshes{{"prm/bias_tire.prm", coarse_tire},
+                  {"prm/rolling_tire.prm", coarse_tire},
+                  {"prm/tire_modes.prm", coarse_tire},
+                  {"prm/tire_test.prm", coarse_tire},
+                  {"prm/imperfect_cylinder.prm", {"0:510:6", "-180:180:12"}},
+                  {"prm/composite_panel.prm", {"0:300:4", "0:300:4"}}};
+
+
   std::vector<std::string>
   split(const std::string &arguments)
   {
@@ -108,6 +123,24 @@ namespace
     while (stream >> std::quoted(word))
       words.push_back(word);
     return words;
+  }
+
+
+  /** The settings of a coarse mesh, if the file has one and the arguments do
+   * not name the mesh. */
+  std::vector<std::string>
+  coarse_mesh(const std::vector<std::string> &words)
+  {
+    for (const auto &[file, intervals] : coarse_meshes)
+      if (std::count(words.begin(), words.end(), file) > 0 &&
+          std::none_of(words.begin(), words.end(), [](const std::string &word) {
+            return starts_with(word, "Mesh/");
+          }))
+        return {"--set",
+                "Mesh/Intervals alpha_1=" + intervals.first,
+                "--set",
+                "Mesh/Intervals alpha_2=" + intervals.second};
+    return {};
   }
 
 
@@ -121,16 +154,25 @@ namespace
     const auto        start   = std::filesystem::current_path();
     std::filesystem::current_path(folder);
     std::string differences;
+    const auto  answer = [&](const std::vector<std::string> &arguments) {
+      auto [code, message] = run_command(arguments, results, MPI_COMM_WORLD);
+      message              = Utilities::trim(
+        replace(replace(message, results, "results"), root, ""));
+      // the other ranks print nothing
+      return Utilities::MPI::broadcast(
+        MPI_COMM_WORLD,
+        std::to_string(code) + (message.empty() ? "" : ' ' + message));
+    };
     for (const Case &one : cases)
       {
-        auto [code, message] =
-          run_command(split(one.arguments), results, MPI_COMM_WORLD);
-        message = Utilities::trim(
-          replace(replace(message, results, "results"), root, ""));
-        const std::string answer =
-          std::to_string(code) + (message.empty() ? "" : ' ' + message);
-        if (answer != one.expected)
-          differences += one.name + "\n  answer:   " + answer +
+        const auto words = split(one.arguments), coarse = coarse_mesh(words);
+        auto       all = words;
+        all.insert(all.end(), coarse.begin(), coarse.end());
+        std::string found = answer(all);
+        if (found != one.expected && !coarse.empty())
+          found = answer(words);
+        if (found != one.expected)
+          differences += one.name + "\n  answer:   " + found +
                          "\n  expected: " + one.expected + '\n';
       }
     std::filesystem::current_path(start);

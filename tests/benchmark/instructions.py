@@ -28,20 +28,20 @@ TABLE = os.path.join(HERE, "instructions.csv")
 TOLERANCE = 0.02
 SKIPPED = 77
 
-COARSE = ["Mesh/Intervals alpha_1=-120:120:14",
-          "Mesh/Intervals alpha_2=-180:-20:4:smooth,-20:20:6,20:180:4:smooth"]
+COARSE = ["Mesh/Intervals alpha_1=-120:120:8",
+          "Mesh/Intervals alpha_2=-180:-20:2:smooth,-20:20:4,20:180:2:smooth"]
 
 # a parameter file, and the entries that differ
 RUNS = {
-    "tire": ["bias_tire.prm", *COARSE, "Stage 2/Steps=4"],
+    "tire": ["bias_tire.prm", *COARSE, "Stage 2/Steps=2"],
     # a sample of study_of_footprint.prm
     "footprint": ["bias_tire_true_pressure.prm", *COARSE, "Stage 2/Steps=1",
                   "Contact/Multiplier mass=lumped", "Newton/Residual tolerance=1e-10"],
     # rolls freely
     "rolling": ["rolling_tire.prm", *COARSE, "Number of stages=3"],
-    "layers": ["sandwich_plate.prm", "Mesh/Intervals alpha_1=0:5:10",
-               "Mesh/Intervals alpha_2=0:5:10"],
-    "rubber": ["rubber_balloon.prm", "Mesh/Intervals alpha_1=0:80:40",
+    "layers": ["sandwich_plate.prm", "Mesh/Intervals alpha_1=0:5:5",
+               "Mesh/Intervals alpha_2=0:5:5"],
+    "rubber": ["rubber_balloon.prm", "Mesh/Intervals alpha_1=0:80:8",
                "Number of stages=1", "Stage 1/Control value=10", "Stage 1/Steps=2"],
     "modes": ["tire_modes.prm", *COARSE, "Number of stages=2", "Stage 1/Modes=0",
               "Stage 2/Modes=4"],

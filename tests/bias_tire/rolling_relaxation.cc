@@ -49,12 +49,12 @@ main(int argc, char *argv[])
   const double                             turn = 2 * dealii::numbers::PI;
 
   {
-    // two turns
+    // a turn and a quarter
     const StepReport in_time =
       run("-180:180:48",
-          relaxing({"Stage 3/Wheel turn=720",
-                    "Stage 3/Duration=" + number_to_string(2 * turn),
-                    "Stage 3/Steps=96"}))
+          relaxing({"Stage 3/Wheel turn=450",
+                    "Stage 3/Duration=" + number_to_string(1.25 * turn),
+                    "Stage 3/Steps=60"}))
         .back();
     const StepReport steady =
       run("-180:180:48", relaxing({"Stage 3/Angular velocity=1"})).back();

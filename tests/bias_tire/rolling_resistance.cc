@@ -18,7 +18,7 @@ namespace
   {
     return run_analysis(
              PRM_DIR "/rolling_resistance.prm",
-             {"Mesh/Intervals alpha_1=-120:-45:5, -45:45:8, 45:120:5",
+             {"Mesh/Intervals alpha_1=-120:-45:3, -45:45:8, 45:120:3",
               "Heat/Temperatures=" + temperatures,
               "Number of stages=3",
               "Stage 3/Ground velocity=10000"})

@@ -41,13 +41,15 @@ for row, wanted in ((0, {"slip_angle": 0, "slip_ratio": 0}), (1, {"slip_angle": 
               f"{name} of {wanted} is {point[name]}, by hand {by_hand[name][row]}")
 
 # other axes, and two ranks
-for axes, signs in (("SAE", (1, -1, -1, 1, -1, -1, -1, 1)),
-                    ("adapted ISO", (1, 1, 1, 1, 1, 1, -1, -1))):
-    other = run({**POINTS, "Tire test/Axes": axes}, ranks=2).tire_test()
+heavy = table.where(load=1500)
+for axes, signs, ranks in (("SAE", (1, -1, -1, 1, -1, -1, -1, 1), 2),
+                           ("adapted ISO", (1, 1, 1, 1, 1, 1, -1, -1), 1)):
+    other = run({**POINTS, "Tire test/Loads": 1500, "Tire test/Axes": axes},
+                ranks=ranks).tire_test()
     check(set(other["axes"]) == {axes}, f"the axes are {set(other['axes'])}")
     for name, sign in zip((*FORCES, "slip_angle", "inclination_angle"), signs):
-        scale = max(abs(table[name]).max(), 1)
-        check(abs(other[name] - sign * table[name]).max() < 1e-7 * scale,
+        scale = max(abs(heavy[name]).max(), 1)
+        check(abs(other[name] - sign * heavy[name]).max() < 1e-7 * scale,
               f"{name} in the axes {axes}")
 right = table.where(load=1500, inclination_angle=0, slip_angle=2).row(0)
 left = table.where(load=1500, inclination_angle=0, slip_angle=-2).row(0)

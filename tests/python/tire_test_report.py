@@ -11,8 +11,7 @@ require("matplotlib")
 
 output = scratch()
 table = run({"Tire test/Loads": "1000, 1500", "Tire test/Inclination angles": "0, 3",
-             "Tire test/Slip angles": "-2, 2", "Tire test/Slip ratios": -0.03,
-             "Output/Write VTU": False}, output=output).tire_test()
+             "Tire test/Slip angles": "-2, 2", "Tire test/Slip ratios": -0.03}, output=output).tire_test()
 code, _, errors = run_command("biface-report", output)
 check(code == 0, errors)
 page = (output / "report.html").read_text(encoding="utf-8")

@@ -65,6 +65,15 @@ def run_here(main, *words):
     return code, output.getvalue(), errors.getvalue()
 
 
+def run_alone_here(main, name, *words):
+    """The same for a main function that reads the words of the command line itself."""
+    before, sys.argv = sys.argv, [name, *map(str, words)]
+    try:
+        return run_here(lambda _: main())
+    finally:
+        sys.argv = before
+
+
 def check_refused_by(name, outcome, sentence, what):
     """Checks that a program has refused its words with one sentence.
     outcome: see run_here(); what: the words."""
@@ -83,13 +92,22 @@ def copy_of(run):
     return target
 
 
-def report(directory, *words, launcher=BUILD / "biface-report", target=None):
-    """Runs biface-report; returns its exit code, its error messages, the page."""
+def report(directory, *words, launcher=None, target=None):
+    """Runs biface-report, without the time that a new process takes if there is no
+    launcher; returns its exit code, its error messages, the page."""
     target = target or scratch() / "page.html"
-    done = subprocess.run([launcher, directory, "-o", target, *words],
-                          capture_output=True, text=True, check=False)
+    words = directory, "-o", target, *words
+    if launcher or not find_spec("matplotlib"):
+        done = subprocess.run([launcher or BUILD / "biface-report", *words],
+                              capture_output=True, text=True, check=False)
+        code, errors = done.returncode, done.stderr
+    else:
+        if str(PACKAGE) not in sys.path:
+            sys.path.insert(0, str(PACKAGE))
+        from biface_report.__main__ import main
+        code, _, errors = run_alone_here(main, "biface-report", *words)
     page = target.read_text(encoding="utf-8") if target.exists() else ""
-    return done.returncode, done.stderr, page
+    return code, errors, page
 
 
 def page_of(directory, *words, **options):

@@ -7,7 +7,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(os.environ["BIFACE_SOURCE"]) / "tests/report"))
 
-from report_test import PACKAGE, SOURCE, check, require, run_command, scratch
+from report_test import (PACKAGE, SOURCE, check, check_refused_by, require, run_alone_here,
+                         run_command, scratch)
 
 sys.path.insert(0, str(PACKAGE))
 
@@ -23,9 +24,15 @@ def rubber(*words):
     return run_command("biface-rubber", *words)
 
 
+def rubber_here(*words):
+    """The same without the time that a new process takes."""
+    from biface_rubber.program import main
+    return run_alone_here(main, "biface-rubber", *words)
+
+
 def output_of(*words):
     """The output of biface-rubber, which must succeed."""
-    code, output, errors = rubber(*words)
+    code, output, errors = rubber_here(*words)
     check(code == 0 and errors == "", f"the exit code is {code}: {errors}")
     return output
 

@@ -2,7 +2,7 @@
 
 # Wrong input gives one sentence that names it, and the exit code 1.
 
-from rubber_test import TRELOAR, check, require, rubber, scratch
+from rubber_test import TRELOAR, check_refused_by, require, rubber_here, scratch
 
 require("numpy", "scipy")
 
@@ -47,11 +47,7 @@ OPTIONS = [
 
 
 def check_refused(words, sentence):
-    code, output, errors = rubber(*words)
-    check(code == 1 and output == "", f"the exit code is {code}: {output}")
-    check(sentence in errors and errors.startswith("biface-rubber: ")
-          and errors.count("\n") == 1 and errors.endswith(".\n"),
-          f"'{sentence}' is not told in one sentence: {errors}")
+    check_refused_by("biface-rubber", rubber_here(*words), sentence, words)
 
 
 for content, sentence in FILES:

@@ -66,6 +66,8 @@ check_sensitivities(const std::string           &title,
   read_parameters(file, all, MPI_COMM_WORLD, parameters, prm);
   const auto             variables = parse_design_variables("", entries);
   const SensitivityTable table     = table_of(file, all);
+  // changed runs only give values, for which the cheapest table will do
+  all.back() = "Sensitivities/Entries=" + entries.substr(0, entries.find(';'));
 
   double largest = 0;
   for (unsigned int e = 0; e < variables.size(); ++e)
@@ -82,8 +84,6 @@ check_sensitivities(const std::string           &title,
                         prm,
                         "test"))
             with_change.push_back(setting);
-          with_change.emplace_back("Sensitivities/Entries=" +
-                                   parameters.sensitivities.entries);
           changed[side] = table_of(file, with_change);
         }
       for (unsigned int o = 0; o < table.outputs.size(); ++o)

@@ -21,14 +21,22 @@ main(int argc, char **argv)
 
   const std::string           tire = PRM_DIR "/bias_tire.prm";
   const std::vector<Override> coarse{
-    "Mesh/Intervals alpha_1=-120:120:14",
-    "Mesh/Intervals alpha_2=-180:-20:4:smooth, -20:20:6, 20:180:4:smooth",
+    "Mesh/Intervals alpha_1=-120:120:8",
+    "Mesh/Intervals alpha_2=-180:-20:3:smooth, -20:20:4, 20:180:3:smooth",
     "Contact/Multiplier mass=lumped",
     "Contact/Regularization=1e3",
     "Named points=side: 0 -180",
     "Stage 2/Steps=2"};
   const auto with = [&](const std::vector<Override> &more) {
     std::vector<Override> all = coarse;
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  // for figures that have kinks where single nodes touch the ground
+  const auto on_finer_mesh = [&](const std::vector<Override> &more) {
+    std::vector<Override> all = with(
+      {"Mesh/Intervals alpha_1=-120:120:14",
+       "Mesh/Intervals alpha_2=-180:-20:4:smooth, -20:20:6, 20:180:4:smooth"});
     all.insert(all.end(), more.begin(), more.end());
     return all;
   };
@@ -49,12 +57,12 @@ main(int argc, char **argv)
     "force, side u_x");
   check_sensitivities("friction",
                       tire,
-                      with({"Contact/Friction=0.5",
-                            "Number of stages=3",
-                            "Stage 2/Travel=10",
-                            "Stage 3/Contact=true",
-                            "Stage 3/Slide=0,2,0",
-                            "Stage 3/Steps=2"}),
+                      on_finer_mesh({"Contact/Friction=0.5",
+                                     "Number of stages=3",
+                                     "Stage 2/Travel=10",
+                                     "Stage 3/Contact=true",
+                                     "Stage 3/Slide=0,2,0",
+                                     "Stage 3/Steps=2"}),
                       "Contact/Friction; Stage 3/Slide[2]; " + entries,
                       "force, foundation F_y, side u_y");
   // the ground penetrates by less than it moves with the entries
@@ -105,10 +113,10 @@ main(int argc, char **argv)
   check_sensitivities(
     "modes",
     tire,
-    with({"Element/Strain sampling=means",
-          "Material cord/Density=1.2e-9",
-          "Stage 2/Travel=10",
-          "Stage 2/Modes=3"}),
+    on_finer_mesh({"Element/Strain sampling=means",
+                   "Material cord/Density=1.2e-9",
+                   "Stage 2/Travel=10",
+                   "Stage 2/Modes=3"}),
     "Stage 1/Pressure; Material cord/E_L; Material cord/Density; "
     "Laminate/Plies[2]; Surface/Circular arc/Radius",
     "frequency 1, frequency 2, frequency 3");
@@ -116,8 +124,8 @@ main(int argc, char **argv)
   check_sensitivities(
     "buckling",
     PRM_DIR "/laminated_cylinder.prm",
-    {"Mesh/Intervals alpha_1=0:510:12",
-     "Mesh/Intervals alpha_2=-180:180:24",
+    {"Mesh/Intervals alpha_1=0:510:8",
+     "Mesh/Intervals alpha_2=-180:180:16",
      "Stage 1/Buckling=0",
      "Stage 2/Load factor=0.04",
      "Stage 2/Critical points=ignore",
@@ -130,10 +138,10 @@ main(int argc, char **argv)
     "factor 4");
   check_sensitivities("buckling after steps",
                       tire,
-                      with({"Stage 1/Pressure=-0.001",
-                            "Stage 2/Pressure=0.1",
-                            "Stage 2/Travel=10",
-                            "Stage 2/Buckling=1"}),
+                      on_finer_mesh({"Stage 1/Pressure=-0.001",
+                                     "Stage 2/Pressure=0.1",
+                                     "Stage 2/Travel=10",
+                                     "Stage 2/Buckling=1"}),
                       "Stage 1/Pressure; Stage 2/Pressure; Material cord/E_L; "
                       "Laminate/Plies[2]; Surface/Circular arc/Radius",
                       "buckling factor 1, side u_x");

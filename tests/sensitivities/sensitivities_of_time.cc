@@ -82,8 +82,8 @@ main(int argc, char **argv)
   check_strip();
 
   const std::vector<Override> relaxing{
-    "Mesh/Intervals alpha_1=-120:120:14",
-    "Mesh/Intervals alpha_2=-180:-20:4:smooth, -20:20:6, 20:180:4:smooth",
+    "Mesh/Intervals alpha_1=-120:120:8",
+    "Mesh/Intervals alpha_2=-180:-20:3:smooth, -20:20:4, 20:180:3:smooth",
     "Contact/Multiplier mass=lumped",
     "Contact/Regularization=1e3",
     "Named points=side: 0 -180",

@@ -27,7 +27,7 @@ def tire_model(*words):
 
 def output_of(*words):
     """The output of biface-tire-model, which must succeed without warnings."""
-    code, output, errors = tire_model(*words)
+    code, output, errors = tire_model_here(*words)
     check(code == 0 and errors == "", f"the exit code is {code}: {errors}")
     return output
 

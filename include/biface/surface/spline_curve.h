@@ -118,11 +118,17 @@ namespace Biface
     void
     check_crossing(const Contour &contour, const std::string &name);
 
+    /** The parameter of the sample nearest to a point. */
+    double
+    nearest_sample(const dealii::Point<2> &point) const;
+
     std::vector<double> knots;
     /** The parameters and positions of a few points per interval, where
-     * parameter_of() starts. */
+     * parameter_of() starts, in the order of the parameters. */
     std::vector<std::pair<double, dealii::Point<2>>> samples;
-    std::vector<Part>                                parts;
+    /** The largest distance between neighboring samples. */
+    double            largest_step = 0;
+    std::vector<Part> parts;
     /** Between each part and the next one. */
     std::vector<Rounding> roundings;
     /** What the roundings make of each kink. */

@@ -10,21 +10,25 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.optimize import brentq
 
 from .cords import NYLON_840, NYLON_CASING, Cord
 
 BURST = 4  # pressure at which the cords may break, over the rated one
 
 
-def bisect(function, low, high):
-    """The place where an increasing function changes its sign."""
-    for _ in range(50):
-        middle = (low + high) / 2
-        if function(middle) < 0:
-            low = middle
-        else:
-            high = middle
-    return (low + high) / 2
+def change_of_sign(function, low, high):
+    """The place where an increasing function changes its sign, or the end next to it; NaN
+    counts as positive."""
+    def without_nan(x):
+        value = function(x)
+        return high - low if math.isnan(value) else value
+
+    if without_nan(high) < 0:
+        return high
+    if without_nan(low) >= 0:
+        return low
+    return brentq(without_nan, low, high, xtol=1e-15 * (high - low))
 
 
 class Netting:
@@ -51,7 +55,7 @@ class Netting:
         low, high = 25, 90
         if excess(high) < 0:
             raise ValueError("no cord angle reaches the flange")
-        self.set_angle(bisect(excess, low, high))
+        self.set_angle(change_of_sign(excess, low, high))
         if abs(excess(self.degrees)) > 1e-3 * half_width:
             raise ValueError("no cord angle reaches the flange")
 
@@ -74,8 +78,8 @@ class Netting:
             self.widest = widest
             return self.half_width - self.width_at(widest)
 
-        self.widest = bisect(excess, least + 1e-6 * self.crown,
-                             self.crown * (1 - 1e-6))
+        self.widest = change_of_sign(excess, least + 1e-6 * self.crown,
+                                     self.crown * (1 - 1e-6))
 
     def width_at(self, radius, points=200):
         """The integral of tan(phi) over the radius, by the midpoint rule; with
@@ -194,7 +198,7 @@ class BiasTire:
 
         if excess(curve.widest) < 0:
             raise ValueError("the rim is wider than the carcass")
-        return bisect(excess, low, curve.widest)
+        return change_of_sign(excess, low, curve.widest)
 
     @property
     def cord_tension(self):
