@@ -184,6 +184,7 @@ entries than the fit knows, such as masses and damping: add them by hand.
 
 ## Structure
 
+[`biface-tire model`](tire_from_size.md#a-tire-model) computes all of this section for the tire of a parameter file.
 `--structure` adds what the standing tire tells: its stiffnesses against motions of the ground, from
 [stiffness.csv](output.md#stiffnesscsv), and its natural frequencies, from [modes.csv](output.md#modescsv).
 Here for the tire of [tire_test.md](tire_test.md), upright and with pure slip:
@@ -273,6 +274,7 @@ vertical one: none are written, only printed. Adams uses the relaxation lengths 
 
 The units are those of the results, or with `--si` meters, newtons and radians. Such numbers identify the
 parameters of tire models that are no formula, such as FTire. Their own files are not written.
+[`biface-tire model --protocol ftire`](tire_from_size.md#a-tire-model) computes them all.
 
 ## TYDEX files
 
