@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 
 # The runs of a protocol succeed on a tire from its size: the tables have the stiffnesses of
-# stiffness.csv, those of a footprint with bristles, and the frequencies of modes.csv.
+# stiffness.csv, those of a footprint with bristles, and the frequencies of modes.csv; ground
+# and bar together carry the load, and the bar lifts the axle.
 
 import os
 
@@ -15,7 +16,8 @@ os.environ["BIFACE"] = os.environ["BIFACE_PROGRAM"]
 path = scratch()
 output_of("new", "4.00-8", "4PR", "--rim", "2.50C", "--cells", "0.3", "--output", path)
 protocol = path / "few.csv"
-protocol.write_text("kind,load [%]\nlateral,60\nmodes,\n", encoding="utf-8")
+protocol.write_text("kind,load [%],height [mm]\nlateral,60,\nmodes,,\n"
+                    "transversal bar,40,12\n", encoding="utf-8")
 code, output, errors = tire("model", path, "--protocol", protocol)
 check(code == 0 and errors == "", f"{code}: {output}{errors}")
 results = path / "model_few"
@@ -40,3 +42,9 @@ check(modes["frequency"][0] > 0 and len(column("frequencies", "frequency [Hz]"))
       "frequencies are missing")
 check_close(column("frequencies", "frequency [Hz]")[0], modes["frequency"][0], 1e-9,
             "the frequency")
+check_close(column("transversal_bar_12", "load [N]")[-1], 0.4 * 2689.77, 1e-5, "the load")
+plane, bar = (Results(results / "runs/transversal-bar-12").stage(name).last("approach")
+              for name in ("load 1075.908 at 0.38641 on the plane",
+                           "on the bar: load 1075.908 at 0.38641"))
+check(plane - 12 < bar < plane, f"the bar lifts the axle by {plane - bar} mm")
+check_close(column("transversal_bar_12", "deflection [m]")[-1], bar / 1000, 1e-9, "the height")

@@ -64,5 +64,13 @@ check(float(rolling["Tire test/Ground velocity"]) == 10000, "the velocity")
 check(standing["Stage 3/Pressure"] == "0.2" and standing["Stage 5/Glued"] == "true",
       "the stages of the standing tire")
 
+# what is not computed is left out with a sentence
+protocol.write_text("kind,load [N],inclination_angle [deg]\nlateral,3000,0 5\n",
+                    encoding="utf-8")
+runs, left_out = plan(tire, read_protocol(protocol))
+check([run.name for run in runs] == ["standing"], f"{[run.name for run in runs]}")
+check(len(left_out) == 1 and "line 2: the lateral stiffness of a leaning wheel, which is not "
+      "computed." in left_out[0], f"{left_out}")
+
 # a file with its own tire test: the stages before it are the inflation
 check(Tire(SOURCE / "prm/tire_test.prm").base == 1, "the stages of prm/tire_test.prm")

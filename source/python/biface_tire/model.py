@@ -193,37 +193,57 @@ def tables_of(series, left_out):
     tables = {}
     standing = [series.directory_of(run) for run in series.runs
                 if run.name in (STANDING, VIBRATING) and run.name in series.results]
-    leaning = [series.directory_of(run) for run in series.runs
-               if run.name == LEANING and run.name in series.results]
-    for directories, prefix in ((standing, ""), (leaning, "leaning_")):
-        if not directories:
-            continue
+    if standing:
         try:
-            for table in structure_tables(read_structure(directories)):
-                tables[prefix + table.name] = table
+            tables = {table.name: table for table in
+                      structure_tables(read_structure(standing))}
         except BifaceError as error:
             left_out.append(str(error))
     for run in series.runs:
-        if run.kind in BARS and run.name in series.results:
-            tables[run.name.replace("-", "_")] = bar_table(run, series.results[run.name])
+        if run.name in series.results and (run.name == LEANING or run.kind in BARS):
+            name = ("leaning_radial_stiffness" if run.name == LEANING else
+                    run.name.replace("-", "_"))
+            tables[name] = pressed(name, run, series.results[run.name])
     return tables
 
 
-def bar_table(run, results):
-    """Load over deflection on a bar."""
+def pressed(name, run, results):
+    """Load over deflection of a run whose ground leans or has a bar."""
     system = System(results.setting("Units"))
-    rows = [[row["stage"], *(f"{row[name] * system[kind]:.10g}" for name, kind in (
-        ("pressure", "pressure"), ("force", "force"), ("approach", "length"),
-        ("bar_max_pressure", "pressure")))]
-            for row in results.history.rows() if row["stage"].startswith(ON_BAR)]
-    # while the bar rises there is no state to measure
-    first = next((i for i, row in enumerate(rows) if row[0] != rows[0][0]), len(rows))
-    return StructureTable(
-        run.name.replace("-", "_"),
-        f"load of ground and bar over deflection, {run.title}; the deflection is from where "
-        "the plane touches the unloaded tire",
-        ["stage", "pressure [Pa]", "load [N]", "deflection [m]", "bar_pressure [Pa]"],
-        rows[first - 1:] if rows else [])
+    loads = normal_forces(results)
+    columns = (("pressure", "pressure", "Pa"), ("approach", "length", "m"),
+               ("footprint_length", "length", "m"), ("footprint_width", "length", "m"))
+    has_bar = run.kind in BARS
+    found = results.history.rows()
+    chosen = [i for i, row in enumerate(found)
+              if row["stage"].startswith(ON_BAR if has_bar else "load ")]
+    if has_bar:
+        # while the bar rises there is no state to measure
+        rising = [i for i in chosen if found[i]["stage"] == found[chosen[0]]["stage"]]
+        chosen, columns = chosen[len(rising) - 1:], columns[:2]
+    rows = [[found[i]["stage"], f"{loads[i] * system['force']:.10g}",
+             *(f"{found[i][column] * system[kind]:.10g}" for column, kind, _ in columns)]
+            for i in chosen]
+    title = (f"load of ground and bar over deflection, {run.title}; the deflection counts "
+             "from where the plane touches the unloaded tire" if has_bar else
+             "load over deflection and footprint of the leaning tire, along the normal of the "
+             "ground")
+    names = {"approach": "deflection"}
+    return StructureTable(name, title, [
+        "stage", "load [N]", *(f"{names.get(column, column)} [{unit}]"
+                               for column, _, unit in columns)], rows)
+
+
+def normal_forces(results):
+    """The force of ground and bar along the normal of the ground in each step of the
+    history: that of ground and bar in forces.csv, where there is a bar."""
+    forces = results.forces()
+    if forces is None or not (forces["body"] == "bar").any():
+        return results.history["force"]
+    normal = results.numbers("Contact/Direction", 3)
+    whole = sum(np.stack([chosen["F_x"], chosen["F_y"], chosen["F_z"]], -1)
+                for chosen in (forces.where(body=body) for body in ("foundation", "bar")))
+    return -whole @ normal / np.linalg.norm(normal)
 
 
 def wrapped(sentence):

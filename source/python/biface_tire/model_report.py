@@ -106,6 +106,8 @@ def of_standing(tables):
     left.set(xlabel="deflection [mm]", ylabel="load [N]")
     right.set(xlabel="load [N]", ylabel="stiffness [N/mm]")
     right.set_ylim(bottom=0)
+    # room for the legend
+    left.set_ylim(0, 1.4 * left.get_ylim()[1])
     parts = []
     if any(drawn):
         for axes, is_drawn in zip((left, right), drawn):
@@ -128,7 +130,7 @@ def draw_radial(axes, name, found, colors):
     """Load over deflection, a curve for each pressure and inclination."""
     columns = [column.partition(" [")[0] for column in found.columns]
     place = columns.index("pressure")
-    leaning = [row[0].partition(" leaning by ")[2].partition(" degrees")[0]
+    leaning = [row[0].partition(" leaning by ")[2].partition(" degree")[0]
                for row in found.rows]
     for pressure, angle in sorted({(row[place], lean)
                                    for row, lean in zip(found.rows, leaning)}):

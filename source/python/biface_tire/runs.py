@@ -152,6 +152,8 @@ class Tire:
                     stage = re.fullmatch(r"Stage (\d+)", name)
                     dropping = bool(DROPPED.fullmatch(name)) and not (
                         stage and int(stage[1]) <= self.base)
+                    while dropping and lines and lines[-1].startswith("#"):
+                        lines.pop()
                 depth += 1
             is_entry = depth == 0 and any(re.match(rf"set\s+{name}\s*=", word)
                                           for name in ENTRIES)
@@ -213,6 +215,9 @@ def plan(tire: Tire, rows) -> tuple[list[Run], list[str]]:
     static = [row for row in rows if row.kind in (*PRESSED, *MOVED)]
     runs, left_out = [], [f"{row.place}: {LEFT_OUT[row.kind]}" for row in rows
                           if row.kind in LEFT_OUT]
+    left_out += [f"{row.place}: the {row.kind} stiffness of a leaning wheel, which is not "
+                 "computed." for row in static if row.kind in MOVED
+                 and any(row.inclination_angle)]
     for name, is_chosen, title in (
             (STANDING, lambda angle: angle == 0, "stiffnesses of the standing tire"),
             (LEANING, lambda angle: angle != 0, "stiffnesses of the leaning tire")):
@@ -242,6 +247,8 @@ def static_states(tire, rows, is_chosen):
                 for load in row.load:
                     key = (tire.share(pressure, tire.pressure), angle,
                            tire.share(load, tire.load))
+                    if row.kind in MOVED and angle:
+                        continue
                     motions = states.setdefault(key, [])
                     if row.kind in MOVED and row.kind not in motions:
                         motions.append(row.kind)
