@@ -155,10 +155,13 @@ nearest to the nominal one, avoid wrong minima; they are the same every time. Ev
 
 A coefficient that the data do not determine keeps its neutral value, and the comment behind it in the file
 says why: there is one load, one pressure, no inclination angle, no combined slip; or its
-standard error is more than {error:g} % of the width of its bounds. Without combined slip
-the reductions are 1: **such a file gives full $`F_x`$ and full $`F_y`$ at once**, which no tire has.
-A file of MF 5.2 then has `FE_METHOD = 'YES'`, with which Adams and Chrono reduce them by a
-friction ellipse; `evaluate` does not.
+standard error is more than {error:g} % of the width of its bounds.
+
+Without combined slip in the data, a file would give full $`F_x`$ and full $`F_y`$ at once, which no tire has.
+Then the reductions are typical ones, with a warning and a comment in the file: `RBX1`, `RBX2`, `RCX1`, `REX1`, `RBY1`,
+`RBY2`, `RCY1`, `REY1` of a 205/60 R15, [TNO 2013](references.bib#TNO2013). `--without-combined neutral` leaves them
+out; a file of MF 5.2 then has `FE_METHOD = 'YES'`, with which Adams and Chrono reduce the forces by a
+friction ellipse; `evaluate` does not. `--without-combined refuse` writes no file.
 
 The ranges of the data are in the file (`KPUMIN`, ..., `FZMAX`). Outside them the formula
 is a guess.
@@ -170,6 +173,7 @@ is a guess.
 | `--nominal-load F`, `--nominal-pressure P` | FNOMIN and NOMPRES; by default the load nearest to the mean of all and the most frequent pressure |
 | `--velocity V` | LONGVL |
 | `--side RIGHT` | where the tire was mounted; LEFT by default |
+| `--without-combined` | `typical`, `neutral` or `refuse`, see above |
 | `--structure DIRECTORY` | results of `biface` with stiffnesses or modes, see Structure below; may be repeated |
 | `--picture FILE` | a picture |
 
@@ -180,6 +184,7 @@ entries than the fit knows, such as masses and damping: add them by hand.
 
 ## Structure
 
+[`biface-tire model`](tire_from_size.md#a-tire-model) computes all of this section for the tire of a parameter file.
 `--structure` adds what the standing tire tells: its stiffnesses against motions of the ground, from
 [stiffness.csv](output.md#stiffnesscsv), and its natural frequencies, from [modes.csv](output.md#modescsv).
 Here for the tire of [tire_test.md](tire_test.md), upright and with pure slip:
@@ -269,6 +274,7 @@ vertical one: none are written, only printed. Adams uses the relaxation lengths 
 
 The units are those of the results, or with `--si` meters, newtons and radians. Such numbers identify the
 parameters of tire models that are no formula, such as FTire. Their own files are not written.
+[`biface-tire model --protocol ftire`](tire_from_size.md#a-tire-model) computes them all.
 
 ## TYDEX files
 

@@ -24,7 +24,8 @@ run.move("lateral", 4000, 2e5, 1.5e5)
 run.move("longitudinal", 4000, 2e5, 4e5)
 run.vibrate("inflated", 2e5, [(40, 0, 1, 0, 0.8, 0)])
 path = scratch() / "fitted.tir"
-words = ("--format", "6.1", "--radius", "0.3", "--output", path, "--structure", run.write())
+words = ("--format", "6.1", "--radius", "0.3", "--output", path, "--without-combined",
+         "neutral", "--structure", run.write())
 system = System()
 text = output_of("fit", write("table.csv", write_table(columns, system)), *words)
 file = read_tir(path)

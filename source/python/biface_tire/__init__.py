@@ -19,5 +19,10 @@ goes wrong raises a BifaceError.
     parameter_file  its parameter file
     nasa            the formulas of NASA TR R-64
     judge           results beside formulas and ratings
+    protocol        tables of what is to be tested
+    runs            the runs of the program that they need
+    series          runs that go on where they were interrupted
+    model           a tire model of their results
+    model_report    the page about it
     program         the command line
 """

@@ -4,14 +4,19 @@
 import math
 import re
 import shlex
+import signal
 from pathlib import Path
 
 from biface.errors import BifaceError
-from biface_report.command_line import Arguments, complain
+from biface_report.command_line import Arguments, complain, missing_module
+from biface_tire_model.fitting import WITHOUT_COMBINED
+from biface_tire_model.units import one_of
 from . import text
 from .design import Design, Options
 from .judge import command_of, judge
 from .parameter_file import NAME, PROFILE, RESULTS, ParameterFile
+from .protocol import find, shipped
+from .runs import Tire
 from .service import STANDARD_GRAVITY
 from .size import KINDS
 
@@ -25,7 +30,8 @@ TREADS = ("bristles", "layer")
 def make_parser():
     """The command line."""
     parser = Arguments(prog=COMMAND, description="Makes tires from their sizes: writes a "
-                       "parameter file for biface, and judges its results.")
+                       "parameter file for biface, judges its results, and makes tire "
+                       "models of them.")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
     add_new(commands)
     judged = commands.add_parser(
@@ -37,6 +43,7 @@ def make_parser():
                         help="that 'new' has written")
     judged.add_argument("--results", type=Path, metavar="DIR",
                         help="where the results are (default: DIR/results)")
+    add_model(commands)
     return parser
 
 
@@ -83,6 +90,35 @@ def add_new(commands):
                              "(default: 1)")
     parser.add_argument("--tire-test", action="store_true",
                         help="a tire test in place of the stiffnesses and free rolling")
+
+
+def add_model(commands):
+    """The command model."""
+    parser = commands.add_parser(
+        "model", help="a tire model: all runs of a test protocol, a .tir file, TYDEX files, "
+                      "tables and a report",
+        description="Runs what a test protocol asks for on the tire of a parameter file, "
+                    "and makes a tire model of the results: a .tir file, TYDEX files, "
+                    "tables of stiffnesses and a report, all in one directory. The same "
+                    "command again goes on where it was interrupted.")
+    parser.add_argument("tire", metavar="TIRE", type=Path,
+                        help="a parameter file, or the directory that 'new' has written")
+    parser.add_argument("--protocol", required=True, metavar="NAME",
+                        help=f"{one_of(shipped())}, or a CSV file")
+    parser.add_argument("-o", "--output", metavar="DIR", type=Path,
+                        help="of the results (default: model_NAME beside the file)")
+    parser.add_argument("--ranks", type=int, default=1, metavar="N",
+                        help="number of MPI ranks of each run (default: 1)")
+    parser.add_argument("--load", metavar="F",
+                        help="the load of the tire, in N, or with a unit: 4kN, 615kg "
+                             "(default: the largest of the file)")
+    parser.add_argument("--format", choices=("5.2", "6.1"),
+                        help="the version of the Magic Formula (default: 6.1 if the protocol "
+                             "has several pressures, else 5.2)")
+    parser.add_argument("--without-combined", choices=WITHOUT_COMBINED,
+                        default=WITHOUT_COMBINED[0],
+                        help="what a protocol without combined slip gives, as in "
+                             "biface-tire-model fit")
 
 
 def number_with_unit(option, words, units, default):
@@ -163,6 +199,39 @@ def new(arguments):
             f"  biface {directory / NAME}\n  {COMMAND} judge {directory}\n")
 
 
+def model(arguments):
+    """Makes a tire model; returns the exit code."""
+    missing = missing_module({"matplotlib": "python3-matplotlib"})
+    if missing:
+        raise BifaceError(missing)
+    from .model import REPORT, STEADY_TABLE, SUMMARY, TABLES, TYDEX, make_model, summary
+    from .model_report import write_report
+    tire = Tire(arguments.tire, number_with_unit("--load", arguments.load, FORCE_UNITS, "N"))
+    protocol = find(arguments.protocol)
+    output = arguments.output or tire.path.parent / f"model_{protocol.stem}"
+
+    def say(line):
+        print(line, flush=True)
+
+    # as Ctrl-C, which leaves the run that it stops ready to go on
+    before = signal.signal(signal.SIGTERM, signal.default_int_handler)
+    try:
+        outcome = make_model(tire, protocol, output, arguments.format, arguments.ranks,
+                             arguments.without_combined, say)
+    except KeyboardInterrupt:
+        return complain(COMMAND, "interrupted; the same command goes on from here.") + 129
+    finally:
+        signal.signal(signal.SIGTERM, before)
+    files = [name for name in (f"{tire.path.stem}.tir", STEADY_TABLE, TYDEX, TABLES)
+             if (output / name).exists()]
+    words = summary(outcome, [str(output / name) for name in (*files, REPORT)])
+    (output / SUMMARY).write_text(words, encoding="utf-8")
+    write_report(outcome, f"Tire model of {tire.path.name}, protocol {protocol.stem}",
+                 words, output / REPORT)
+    print(words, end="")
+    return int(outcome.is_incomplete)
+
+
 def main(words=None):
     """Runs a command. The exit code is 1 if that is not possible, or if a judgment has
     warnings."""
@@ -172,6 +241,8 @@ def main(words=None):
         if arguments.command == "new":
             print(new(arguments), end="")
             return 0
+        if arguments.command == "model":
+            return model(arguments)
         given = command_of(arguments.directory)
         if given[:2] != [COMMAND, "new"]:
             raise BifaceError(f"{arguments.directory / NAME} was not made by {COMMAND} new.")

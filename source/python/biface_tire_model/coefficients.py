@@ -212,6 +212,12 @@ COEFFICIENTS = {**PURE_LONGITUDINAL, **COMBINED_LONGITUDINAL, **PURE_LATERAL,
                 **COMBINED_LATERAL, **PURE_ALIGNING, **COMBINED_ALIGNING,
                 **OVERTURNING_MOMENT, **ROLLING_RESISTANCE, **EXTRA, **SCALES}
 
+# Reductions of F_x and F_y by each other, without their shifts, of a passenger car tire
+# 205/60 R15 @cite TNO2013, for data without combined slip
+TYPICAL = {"RBX1": 12.531, "RBX2": 9.532, "RCX1": 1.019, "REX1": -0.4487,
+           "RBY1": 10.615, "RBY2": 7.705, "RCY1": 1.0585, "REY1": 0.3132}
+TYPICAL_TIRE = "a 205/60 R15 of TNO"
+
 NEUTRAL = {name: coefficient.neutral for name, coefficient in COEFFICIENTS.items()}
 
 # Rolling resistance is proportional to the load in both formulas if a file does not tell

@@ -4,6 +4,7 @@
 from biface.errors import BifaceError
 from . import coefficients as known
 from .coefficients import NAMES_52
+from .text import of_combined
 from .tir_file import SI_UNITS, SIDES, TirFile
 from .units import one_of
 
@@ -28,6 +29,7 @@ def make_tir(fit, side="LEFT", title="", vertical=None, structural=None):
     file.remarks += [f"  {channel}  {100 * residual.rms / (residual.peak or 1):7.3f} "
                      f"{100 * residual.largest / (residual.peak or 1):7.3f}"
                      for channel, residual in fit.residuals.items()]
+    file.remarks += of_combined(fit)
     header = file.section("MDI_HEADER")
     for name, value in (("FILE_TYPE", "tir"), ("FILE_VERSION", 3.0),
                         ("FILE_FORMAT", "ASCII")):
@@ -39,7 +41,7 @@ def make_tir(fit, side="LEFT", title="", vertical=None, structural=None):
         model.set("PROPERTY_FILE_FORMAT", "PAC2002")
         model.set("USE_MODE", 4.0, "combined forces and moments")
         # without coefficients of combined slip its forces would not reduce each other
-        is_combined = not {"RBX1", "RBY1"} & set(fit.reasons)
+        is_combined = not {"RBX1", "RBY1"} & (set(fit.reasons) - fit.typical)
         model.set("FE_METHOD", "NO" if is_combined else "YES",
                   "combined slip by " + ("its coefficients" if is_combined else
                                          "a friction ellipse"))
@@ -94,7 +96,9 @@ def add_coefficients(file, fit):
                 and not formula.nominal_pressure:
             continue
         comment = coefficient.meaning
-        if name in fit.reasons:
+        if name in fit.typical:
+            comment += f"; typical, of {known.TYPICAL_TIRE}: {fit.reasons[name]}"
+        elif name in fit.reasons:
             comment += f"; neutral: {fit.reasons[name]}"
         elif name in fit.at_bound:
             comment += "; at its bound"

@@ -9,6 +9,7 @@ combined slip adds to F_x, F_y and M_z, then M_x and M_y.
 from __future__ import annotations
 
 from collections import namedtuple
+from collections.abc import Callable
 
 import numpy as np
 from scipy.optimize import least_squares
@@ -18,6 +19,7 @@ from . import coefficients as known
 from .channels import OUTPUTS
 from .magic_formula import FORMULAS, REFERENCE_VELOCITY
 from .table import ANGLE_STEP
+from .units import one_of
 
 # A coefficient is not determined if its standard error is more than this part of the width
 # of its bounds, or if it can run through them while the others of its stage make up for
@@ -37,6 +39,10 @@ PULL = 1e-6
 # more are refined once the root mean square of the residuals is this part of the peak
 SHORT, REFINED, LONG, GOOD = 40, 6, 300, 1e-4
 
+# What becomes of the reductions of F_x and F_y by each other if no state has both slips:
+# typical ones, none, or an error
+WITHOUT_COMBINED = ("typical", "neutral", "refuse")
+
 # Of a channel: number of states, root mean square and largest absolute residual, and the
 # largest absolute value
 Residual = namedtuple("Residual", "states rms largest peak")
@@ -46,20 +52,23 @@ class Fit:
     """The result of a fit.
 
     formula   a MagicFormula
-    reasons   why coefficients stayed neutral, by their names
+    reasons   why coefficients stayed neutral or have typical values, by their names
+    typical   the names of those that have typical values of another tire
     at_bound  names of coefficients that ended at a bound
     residuals a Residual for each channel that was measured, in SI units
     data      the Measurements
     """
 
-    def __init__(self, formula, reasons, at_bound, data):
-        self.formula, self.reasons = formula, reasons
+    def __init__(self, formula, reasons, at_bound, data, typical=()):
+        self.formula, self.reasons, self.typical = formula, reasons, set(typical)
         self.at_bound, self.data = at_bound, data
         self.residuals = residuals(formula, data)
 
 
 def fit(data, version: str, radius: float, nominal_load: float | None = None,
-        nominal_pressure: float | None = None, velocity: float | None = None) -> Fit:
+        nominal_pressure: float | None = None, velocity: float | None = None,
+        without_combined: str = WITHOUT_COMBINED[0],
+        progress: Callable[[str], object] | None = None) -> Fit:
     """Fits a formula to measurements.
 
     data              Measurements
@@ -68,9 +77,19 @@ def fit(data, version: str, radius: float, nominal_load: float | None = None,
     nominal_load      [N]; by default the level of the load nearest to the mean of all
     nominal_pressure  [Pa]; by default the level with most states
     velocity          reference velocity LONGVL [m/s]; by default that of most states
+    without_combined  if no state has both slips, one of WITHOUT_COMBINED: "typical"
+                      reductions of F_x and F_y by each other, those of
+                      coefficients.TYPICAL; "neutral", none; or "refuse"
+    progress          a function that is called with what is fitted
 
     Coefficients that the data do not determine stay neutral. Raises BifaceError if there
     are too few states for any curve."""
+    if without_combined not in WITHOUT_COMBINED:
+        raise BifaceError(f"the choice without combined slip is '{without_combined}', but "
+                          f"must be {one_of(WITHOUT_COMBINED)}.")
+    if without_combined == "refuse" and not has_combined(data).any():
+        raise BifaceError("no state has both a slip angle and a longitudinal slip: a file "
+                          "would give full F_x and full F_y at once.")
     if version not in FORMULAS:
         raise BifaceError(f"the format is '{version}', but must be 5.2 or 6.1.")
     if not radius > 0:
@@ -82,13 +101,14 @@ def fit(data, version: str, radius: float, nominal_load: float | None = None,
     pressure = nominal_pressure or usual_level(data, "pressure")
     if pressure:
         constants.update(NOMPRES=pressure, INFLPRES=pressure)
-    work = Work(data, FORMULAS[version](constants))
+    work = Work(data, FORMULAS[version](constants), without_combined == "typical",
+                progress or (lambda what: None))
     for stage in STAGES:
         stage(work)
     if not work.fitted:
         raise BifaceError("no curve can be fitted: each needs states at "
                           f"{FEWEST} slips or more, with the other slip 0.")
-    return Fit(work.formula, work.reasons, work.at_bound, data)
+    return Fit(work.formula, work.reasons, work.at_bound, data, work.typical)
 
 
 # ---- levels of the data
@@ -163,9 +183,10 @@ FEWEST = 5
 class Work:
     """What the stages change: the formula, and what became of the coefficients."""
 
-    def __init__(self, data, formula):
+    def __init__(self, data, formula, uses_typical=False, progress=lambda what: None):
         self.data, self.formula = data, formula
         self.reasons, self.at_bound, self.fitted = {}, [], set()
+        self.uses_typical, self.typical, self.progress = uses_typical, set(), progress
 
     def group_of(self, group):
         """The coefficients of a group that the formula has."""
@@ -176,6 +197,16 @@ class Work:
         """Leaves a group neutral."""
         for coefficient in self.group_of(group):
             self.reasons[coefficient.name] = reason
+
+    def take_typical(self, group):
+        """Typical values in place of neutral ones, if they are wanted."""
+        if not self.uses_typical:
+            return
+        values = {coefficient.name: known.TYPICAL[coefficient.name]
+                  for coefficient in self.group_of(group)
+                  if coefficient.name in known.TYPICAL}
+        self.formula = self.formula.with_coefficients(values)
+        self.typical |= set(values)
 
     def states(self, group, channel, chosen, slip):
         """The states of a stage, or None, with a reason, if there are too few slips."""
@@ -195,6 +226,7 @@ class Work:
         evaluate  gives it for a formula and states
         starts    dictionaries of coefficients to start from; the best result counts"""
         target = states[channel]
+        self.progress(f"fitting {channel} to {len(states)} states")
         problem = Problem(self.formula, states, target, evaluate)
         found, names = variations(states), []
         for coefficient in self.group_of(group):
@@ -213,6 +245,7 @@ class Work:
         values, result = None, None
         for begin in different(begun, basic)[:REFINED]:
             later, other = problem.run(names, begin, LONG)
+            self.progress(f"fitting {channel} to {len(states)} states from other starts")
             if result is None or other.cost < result.cost:
                 values, result = later, other
             if 2 * result.cost < GOOD ** 2 * len(target):
@@ -227,6 +260,7 @@ class Work:
             if not fewer:
                 break
             others, other = problem.run(fewer, values, LONG)
+            self.progress(f"fitting {channel} to {len(states)} states without {weakest}")
             if rms(other, target) > WORSE * rms(result, target) + SMALLEST_CHANGE:
                 # others make up for its changes, but not for its neutral value
                 needed.append(weakest)
@@ -429,12 +463,18 @@ def has_combined(data):
 
 def combined_states(work, group, channel, pure, chosen):
     """The states from which a force at combined slip is fitted, or None, with a reason,
-    if it is not known at @p pure slip or if there is no combined slip."""
+    if it is not known at @p pure slip or if there is no combined slip; then its reduction is
+    typical or neutral."""
+    states = None
     if channel not in work.fitted:
-        return work.leave_out(group, f"no {channel} at pure {pure} slip")
-    if not has_combined(work.data).any():
-        return work.leave_out(group, "no combined slip")
-    return work.states(group, channel, chosen, "slip_ratio")
+        work.leave_out(group, f"no {channel} at pure {pure} slip")
+    elif not has_combined(work.data).any():
+        work.leave_out(group, "no combined slip")
+    else:
+        states = work.states(group, channel, chosen, "slip_ratio")
+    if states is None:
+        work.take_typical(group)
+    return states
 
 
 def fit_combined_x(work):

@@ -11,13 +11,28 @@ ANGLES = (0, 2, 4, 8)
 
 
 def draw(formula, ranges, path, data=None):
-    """Writes a picture: F_y and M_z over the slip angle and F_x over the longitudinal
-    slip for several loads, and F_y over F_x at combined slip.
+    """Writes the figure of curves() to a pdf, svg or png file."""
+    save(curves(formula, ranges, data), path)
+
+
+def ranges_of(columns, data=None):
+    """What curves() needs of columns or Measurements: at most six of their loads, and their
+    largest slips."""
+    loads = np.unique(columns["F_z"]) if data is None else data.levels("F_z")[0]
+    ranges = {"loads": loads[np.linspace(0, len(loads) - 1, min(len(loads), 6))
+                             .round().astype(int)]}
+    for name, otherwise in (("slip_angle", np.radians(12)), ("slip_ratio", 0.25)):
+        ranges[name] = np.abs(columns[name]).max() or otherwise
+    return ranges
+
+
+def curves(formula, ranges, data=None):
+    """A figure: F_y and M_z over the slip angle and F_x over the longitudinal slip for
+    several loads, and F_y over F_x at combined slip.
 
     formula  a MagicFormula
     ranges   a dictionary: the loads of the curves [N], and the largest slip_angle [rad]
              and slip_ratio
-    path     a pdf, svg or png file
     data     Measurements; those without camber, at the usual pressure, are drawn
     """
     plt.rcParams.update(STYLE)
@@ -30,7 +45,7 @@ def draw(formula, ranges, path, data=None):
     panels[0, 0].legend(title="load", fontsize=9)
     panels[1, 1].legend(title="slip angle", fontsize=9, loc="center")
     figure.tight_layout()
-    save(figure, path)
+    return figure
 
 
 def upright(data, formula):

@@ -13,8 +13,9 @@ from biface_report.command_line import Arguments, complain, missing_module
 from . import text
 from .axes import SIGNS, mirror
 from .check import report, wrong_signs, wrong_units
-from .fitting import fit
+from .fitting import WITHOUT_COMBINED, fit
 from .fitted_file import make_tir
+from .patience import Patience
 from .structural import Structural
 from .structure import read_structure
 from .structure_tables import common_system, structure_tables, text_of
@@ -123,6 +124,10 @@ def add_fit(commands):
                         help="results of biface with stiffness.csv or modes.csv, for "
                              "stiffnesses, frequencies and relaxation lengths; may be "
                              "repeated")
+    parser.add_argument("--without-combined", choices=WITHOUT_COMBINED,
+                        default=WITHOUT_COMBINED[0],
+                        help="what a table without combined slip gives: typical reductions "
+                             "of F_x and F_y by each other (default), none, or no file")
     parser.add_argument("--picture", type=Path, metavar="FILE",
                         help="draws the curves and the points (pdf, svg or png)")
 
@@ -321,13 +326,8 @@ def draw(formula, columns, path, data=None):
     if missing:
         raise BifaceError(missing)
     from . import picture
-    loads = np.unique(columns["F_z"]) if data is None else data.levels("F_z")[0]
-    ranges = {"loads": loads[np.linspace(0, len(loads) - 1, min(len(loads), 6))
-                             .round().astype(int)]}
-    for name, otherwise in (("slip_angle", np.radians(12)), ("slip_ratio", 0.25)):
-        ranges[name] = np.abs(columns[name]).max() or otherwise
     try:
-        picture.draw(formula, ranges, path, data)
+        picture.draw(formula, picture.ranges_of(columns, data), path, data)
     except ValueError as error:
         raise BifaceError(f"--picture is {path}, but must be a pdf, svg or png file.") \
             from error
@@ -359,7 +359,9 @@ def fit_table(arguments):
         raise BifaceError(f"--radius is {radius:.5g} m, but must be near the loaded radii, "
                           f"up to {loaded.max():.5g} m; see --units.")
     result = fit(data, arguments.format, radius or stiffness.radius, load, pressure,
-                 velocity)
+                 velocity, arguments.without_combined, Patience())
+    for sentence in text.of_combined(result) if result.typical else ():
+        print(f"{COMMAND}: warning: {arguments.table}: {sentence}", file=sys.stderr)
     structural = structure and Structural(structure, result, stiffness)
     make_tir(result, arguments.side, f"From {arguments.table.name}.", stiffness,
              structural).write(arguments.output)

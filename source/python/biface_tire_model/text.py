@@ -3,6 +3,8 @@
 
 import textwrap
 
+from .coefficients import TYPICAL_TIRE
+
 
 def table_of_residuals(fit):
     """A row for each channel."""
@@ -20,13 +22,26 @@ def left_neutral(fit):
     """Sentences on coefficients that the data do not determine, by reason."""
     by_reason = {}
     for name, reason in fit.reasons.items():
-        by_reason.setdefault(reason, []).append(name)
+        if name not in fit.typical:
+            by_reason.setdefault(reason, []).append(name)
     lines = [f"Neutral ({reason}): {', '.join(names)}."
              for reason, names in by_reason.items()]
     if fit.at_bound:
         lines.append(f"At their bounds: {', '.join(fit.at_bound)}.")
     return "".join(textwrap.fill(line, 88, subsequent_indent="  ") + "\n"
                    for line in lines)
+
+
+def of_combined(fit):
+    """A list of a sentence, or none, on reductions of F_x and F_y by each other that do not
+    follow from the data."""
+    if fit.typical:
+        return [f"combined slip is not measured: {', '.join(sorted(fit.typical))} are "
+                f"typical, those of {TYPICAL_TIRE}, not of this tire."]
+    if {"RBX1", "RBY1"} & set(fit.reasons):
+        return ["combined slip is not measured: the coefficients give full F_x and full F_y "
+                "at once."]
+    return []
 
 
 def not_used(columns):
