@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <biface/contact/rigid_body.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/state/loads.h>
 #include <biface/output/csv.h>

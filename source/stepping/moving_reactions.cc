@@ -2,6 +2,7 @@
 
 #include <biface/model/quantities/forces_on_shell.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/placed_body.h>
 #include <biface/stepping/moving_reactions.h>
 
 namespace Biface
@@ -23,11 +24,12 @@ namespace Biface
         motion.displacement[0] = supports[m].displacement;
         motion.force[0]        = supports[m].force;
       }
-    for (const auto &[number, placed] : loads.bodies)
+    for (const auto &[number, body_there] : loads.bodies)
       {
-        MovingReaction &body = result.of[placed.name];
-        body.displacement    = placed.body.displacement_of_point();
-        body.rotation        = placed.body.rotation_vector();
+        const PlacedBody &placed = *body_there;
+        MovingReaction   &body   = result.of[placed.name];
+        body.displacement        = placed.body.displacement_of_point();
+        body.rotation            = placed.body.rotation_vector();
         if (number == 0)
           {
             const Tensor<1, 3> &outward = placed.body.direction();
