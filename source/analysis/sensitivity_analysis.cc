@@ -221,7 +221,9 @@ namespace Biface
     MovingReactions
     reactions(const State &state, const LoadLevel &level) const
     {
-      const Loads loads = run->loads_at(level);
+      Loads loads = run->loads_at(level);
+      // that of a sealed gas may have changed since
+      loads.pressure = level.pressure;
       return moving_reactions(
         model.equations,
         level,

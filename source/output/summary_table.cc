@@ -97,10 +97,6 @@ namespace Biface
             });
           ++reaction;
         }
-    if (any([](const Line &line) { return !line.critical_point.empty(); }))
-      add("critical point", [](const Line &line) {
-        return line.critical_point.empty() ? "-" : line.critical_point;
-      });
     if (any([](const Line &line) { return line.in_contact; }))
       {
         add_contact("approach",
@@ -140,6 +136,11 @@ namespace Biface
           return number(line.displacements[largest]);
         });
       }
+    // words, last so that the numbers stay in their columns
+    if (any([](const Line &line) { return !line.critical_point.empty(); }))
+      add("critical point", [](const Line &line) {
+        return line.critical_point.empty() ? "-" : line.critical_point;
+      });
     table.write_text(out);
   }
 } // namespace Biface

@@ -66,5 +66,6 @@ main(int argc, char *argv[])
   attempt({"--template", "tire", "--set", "rim=10"});
   attempt({"--template", "tire", "--set", "hight=10"});
   attempt({"--template", "car"});
+  attempt({"--example", "mounted"});
   std::filesystem::current_path(before);
 }

@@ -2,7 +2,7 @@
 
 // Without contact, the table at the end of a run lists the loads and the
 // displacements of named points as in probes.csv, and no line shows figures of
-// a contact zone.
+// a contact zone; last is the critical point that the step has passed.
 
 #include "../read_csv.h"
 #include "../restart.h"
