@@ -88,17 +88,28 @@ def levels(found, column):
 
 
 def draw(found, units):
-    """Curves at pure slip, and forces at combined slip."""
-    drawing, panels = plt.subplots(2, 2, figsize=(9, 6.8), layout="constrained")
-    for axes, (over, zero, column) in zip(panels.flat, (
-            ("slip_angle", "slip_ratio", "F_y"), ("slip_angle", "slip_ratio", "M_z"),
-            ("slip_ratio", "slip_angle", "F_x"))):
+    """Curves at pure slip, and forces at combined slip, of the slips that there are."""
+    curves = [(over, zero, column) for over, zero, column in (
+        ("slip_angle", "slip_ratio", "F_y"), ("slip_angle", "slip_ratio", "M_z"),
+        ("slip_ratio", "slip_angle", "F_x")) if found[over].any()]
+    is_combined = (found["slip_ratio"] * found["slip_angle"]).any()
+    # free rolling alone is drawn as forces
+    count = max(1, len(curves) + is_combined)
+    rows, columns = -(-count // 2), min(count, 2)
+    drawing, panels = plt.subplots(rows, columns, figsize=(4.5 * columns, 3.4 * rows),
+                                   layout="constrained", squeeze=False)
+    panels = list(panels.flat)
+    for axes, (over, zero, column) in zip(panels, curves):
         draw_pure(axes, found.where(**{zero: 0}), over, column, units)
         axes.set_xlabel("slip angle [degrees]" if over == "slip_angle" else "slip ratio")
         quantity = "force" if column[0] == "F" else "moment"
         axes.set_ylabel(units.label(f"${column}$", quantity))
-    panels[0, 0].legend(fontsize=8)
-    draw_combined(panels[1, 1], found, units)
+    if curves:
+        panels[0].legend(fontsize=8)
+    if is_combined or not curves:
+        draw_combined(panels[len(curves)], found, units)
+    for axes in panels[count:]:
+        axes.set_visible(False)
     return drawing
 
 
