@@ -26,7 +26,8 @@ radii[abs(data["slip_angle"]) > 0.01] -= 0.02
 system = System("mm, N, s")
 table = write("table.csv", write_table({**data.columns, "loaded_radius": radii}, system))
 output = scratch() / "fitted.tir"
-words = ("--format", "5.2", "--units", "mm, N, s", "--output", output)
+words = ("--format", "5.2", "--units", "mm, N, s", "--without-combined", "neutral",
+         "--output", output)
 text = output_of("fit", table, *words)
 check("Vertical stiffness 2.5e+05 N/m, radius without load 0.47 m." in text, text)
 file = read_tir(output)

@@ -63,7 +63,7 @@ CASES = [
     (HEAD + "1,4000,1\n2,4000,1\n", "no curve can be fitted: each needs states at 5 slips"),
 ]
 out = scratch() / "out.tir"
-fit = ["--format", "6.1", "--radius", "0.3", "--output", out]
+fit = ["--format", "6.1", "--radius", "0.3", "--without-combined", "neutral", "--output", out]
 for text, sentence in CASES:
     check_refused(["fit", write("table.csv", text), *fit], sentence)
 path = scratch() / "binary.csv"

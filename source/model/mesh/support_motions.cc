@@ -193,6 +193,12 @@ namespace Biface
       double largest = 0;
       for (unsigned int i = 0; i < n; ++i)
         largest = std::max(largest, products(i, i));
+      // differences of the faces, which no translation changes
+      if (largest == 0)
+        {
+          fits = false;
+          return solution;
+        }
       FullMatrix<double> inverse(products);
       for (unsigned int i = 0; i < n; ++i)
         inverse(i, i) += open * largest;
