@@ -974,7 +974,6 @@ namespace Biface
                   perturbed.reactions(perturbed.before, perturbed.level_before);
                 changed.stiffness_of_motions = stiffness_of_motions(
                   *perturbed.run,
-                  *changed.loads,
                   perturbed.reactions(perturbed.state, progress.reached));
               }
             if (report.modes && results.have_frequency())

@@ -3,6 +3,7 @@
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
 
 #include <biface/base/errors.h>
@@ -57,6 +58,36 @@ namespace Biface
         if (pair.get() != &contact.ground() && has_body(stage, *pair))
           laws.emplace(pair->number, pair->laws(set_for(*pair, stage)));
       return laws;
+    }
+
+
+    /** Whether the forces at rest in a stage may differ from those at the end
+     * of the one before, though nothing moves: by friction or glue that was
+     * there, the theory of strains, bodies that leave, or dashpots and inertia
+     * before. */
+    bool
+    changes_forces(const Stage              &before,
+                   const Stage              &stage,
+                   const ContactInteraction &contact)
+    {
+      const auto text = [](const Stage &of) {
+        return of.laws.friction ? of.laws.friction->get_text() : std::string();
+      };
+      const std::set<std::string> bodies(stage.bodies.begin(),
+                                         stage.bodies.end());
+      return before.inertia || before.damping > 0 ||
+             before.theory != stage.theory ||
+             (text(before) != text(stage) &&
+              contact.ground().laws(before.laws, false).has_friction()) ||
+             before.laws.tangential_stiffness !=
+               stage.laws.tangential_stiffness ||
+             (before.laws.glued && !stage.laws.glued) ||
+             (before.contact && !stage.contact) ||
+             std::any_of(before.bodies.begin(),
+                         before.bodies.end(),
+                         [&](const std::string &body) {
+                           return bodies.count(body) == 0;
+                         });
     }
 
 
@@ -330,7 +361,8 @@ namespace Biface
       }
     // from which the secant stiffness of the stage counts
     progress.first_reaction = progress.reaction;
-    if (stage.from_prestress)
+    if (stage.from_prestress ||
+        (before && changes_forces(*before, stage, contact)))
       progress.reactions.reset();
     // the shell without loads, where nothing has moved or reacts
     else if (progress.n_steps == 0)
@@ -339,7 +371,7 @@ namespace Biface
         for (const SupportMotion &motion : equations.mesh.supported.motions)
           progress.reactions->of[motion.name];
         for (const auto &pair : contact.pairs)
-          if (pair.get() != &contact.ground())
+          if (pair.get() != &contact.ground() && has_body(stage, *pair))
             progress.reactions->of[pair->name];
       }
     // the ground has just been placed

@@ -44,7 +44,7 @@ namespace Biface
     {
       const Progress &progress = run.progress;
       const auto     &first    = progress.first_reaction;
-      if (!first || !before)
+      if (!first || !before || run.changes_penalty_stiffness())
         return {};
       const LoadLevel &now = progress.reaction->level;
       // the pressure of a sealed gas follows from the motion
@@ -95,7 +95,7 @@ namespace Biface
       }
     const MovingReactions reactions = moving_reactions(
       run.equations, progress.reached, loads, report.forces_of_bodies);
-    report.stiffness_of_motions = stiffness_of_motions(run, loads, reactions);
+    report.stiffness_of_motions = stiffness_of_motions(run, reactions);
     progress.reactions          = reactions;
     return report;
   }

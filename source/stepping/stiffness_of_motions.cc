@@ -25,7 +25,7 @@ namespace Biface
     /** Whether loads change with the load factors: those of constant direction;
      * moments along edges count as if they did. On all ranks. */
     bool
-    loads_change(const StageRun &run, const Loads &loads, LoadRates change)
+    loads_change(const StageRun &run, LoadRates change)
     {
       // that of a sealed gas follows from the motion
       change.pressure          = 0;
@@ -37,8 +37,7 @@ namespace Biface
           {
             term->add_dead_forces(change, forces);
             if (dynamic_cast<const FollowerMoments *>(term) != nullptr)
-              for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
-                moments = moments || term->acts_on(cell, run.state, loads);
+              moments = moments || !term->elements().empty();
           }
       return Utilities::MPI::logical_or(moments, mesh.communicator) ||
              forces.linfty_norm() > 0;
@@ -49,7 +48,6 @@ namespace Biface
      * between them; none if several do or the loads change. */
     std::optional<std::pair<std::string, double>>
     stiffness(const StageRun        &run,
-              const Loads           &loads,
               const MovingReactions &from,
               const MovingReactions &to)
     {
@@ -60,7 +58,10 @@ namespace Biface
       };
       const bool has_ground = to.of.count(ground_name) > 0;
       if ((has_ground && (turned(from.level) || turned(to.level))) ||
+          from.level.angular_velocity != to.level.angular_velocity ||
           from.level.time != to.level.time ||
+          // a body that has left
+          from.of.size() != to.of.size() ||
           // that of a sealed gas follows from the motion
           (from.level.pressure != to.level.pressure && !run.stage.sealed))
         return {};
@@ -82,7 +83,7 @@ namespace Biface
           result.emplace(
             name, (now.force - before.force) * moved / moved.norm_square());
         }
-      if (!result || loads_change(run, loads, change_of(from.level, to.level)))
+      if (!result || loads_change(run, change_of(from.level, to.level)))
         return {};
       return result;
     }
@@ -90,21 +91,19 @@ namespace Biface
 
 
   std::map<std::string, StiffnessOfMotion>
-  stiffness_of_motions(const StageRun        &run,
-                       const Loads           &loads,
-                       const MovingReactions &now)
+  stiffness_of_motions(const StageRun &run, const MovingReactions &now)
   {
     std::map<std::string, StiffnessOfMotion> result;
     const Progress                          &progress = run.progress;
     // dashpots, inertia and relaxation add forces of their own
-    if (run.stage.inertia || run.stage.damping > 0 || run.stage.duration > 0)
+    if (run.stage.inertia || run.stage.damping > 0 || run.stage.duration > 0 ||
+        run.changes_penalty_stiffness())
       return result;
     if (progress.first_reactions)
-      if (const auto secant =
-            stiffness(run, loads, *progress.first_reactions, now))
+      if (const auto secant = stiffness(run, *progress.first_reactions, now))
         result[secant->first].secant = secant->second;
     if (progress.reactions)
-      if (const auto tangent = stiffness(run, loads, *progress.reactions, now))
+      if (const auto tangent = stiffness(run, *progress.reactions, now))
         result[tangent->first].tangent = tangent->second;
     return result;
   }

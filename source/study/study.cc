@@ -138,6 +138,8 @@ namespace Biface
         always.volume = (cavity != nullptr);
         for (unsigned int s = 0; s < parameters.stages.size(); ++s)
           {
+            starts_elsewhere.push_back(parameters.stages[s].start_from &&
+                                       *parameters.stages[s].start_from != s);
             Numbers at_end, at_steps;
             for (unsigned int o = 0; o < outputs.size(); ++o)
               if (outputs[o].of != Output::Of::end && outputs[o].stage.empty())
@@ -169,6 +171,11 @@ namespace Biface
             function(of.numbers[i], found[i]);
         };
         const unsigned int stage = report.instant.stage;
+        // a branch goes on from another step
+        if (stage != last_stage_read && starts_elsewhere[stage])
+          for (FirstMaximum &maximum : first_maxima)
+            maximum.leave();
+        last_stage_read = stage;
         // what is not a number does not count
         read(steps[stage], [&](const unsigned int o, const double found) {
           if (outputs[o].of == Output::Of::first_maximum)
@@ -206,6 +213,13 @@ namespace Biface
           last = value;
         }
 
+        /** The next value does not follow the last one. */
+        void
+        leave()
+        {
+          last.reset();
+        }
+
       private:
         std::optional<double> last;
         bool                  is_found = false;
@@ -238,6 +252,9 @@ namespace Biface
       std::vector<OfSteps> ends, steps;
       /** By output. */
       std::vector<FirstMaximum> first_maxima;
+      /** By stage, whether it starts from another one than that before. */
+      std::vector<bool> starts_elsewhere;
+      unsigned int      last_stage_read = 0;
     };
 
 

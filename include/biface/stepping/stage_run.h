@@ -88,6 +88,15 @@ namespace Biface
       return control->done() == 0 && before && before->inertia;
     }
 
+    /** Whether the penalty stiffness of contact changes in the stage, and
+     * forces with it though nothing moves. */
+    bool
+    changes_penalty_stiffness() const
+    {
+      return before &&
+             before->laws.penalty_stiffness != stage.laws.penalty_stiffness;
+    }
+
     /** The completed part of the stage. */
     Instant
     instant() const

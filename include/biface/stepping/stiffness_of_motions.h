@@ -30,9 +30,7 @@ namespace Biface
    * Progress and those at its end; a turn of the ground has none here. Must be
    * called on all ranks. */
   std::map<std::string, StiffnessOfMotion>
-  stiffness_of_motions(const StageRun        &run,
-                       const Loads           &loads,
-                       const MovingReactions &now);
+  stiffness_of_motions(const StageRun &run, const MovingReactions &now);
 } // namespace Biface
 
 #endif

@@ -10,9 +10,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
+#include <biface/base/errors.h>
 #include <biface/model/mesh/constraints.h>
 #include <biface/model/mesh/mesh_nodes.h>
 #include <biface/model/mesh/named_points.h>
@@ -63,24 +65,28 @@ namespace Biface
     }
 
 
-    double
-    multiple_of_point(const std::string &name,
-                      const Edges       &symmetric,
-                      const MeshNodes   &mesh)
+    /** The symmetric edges on which a point lies, on all ranks. */
+    std::vector<unsigned int>
+    symmetric_edges_of_point(const std::string &name,
+                             const Edges       &symmetric,
+                             const MeshNodes   &mesh)
     {
-      double result = 1;
+      std::array<unsigned int, 4> on{};
       for (unsigned int p = 0; p < mesh.points.size(); ++p)
         if (mesh.points[p].name == name &&
             mesh.nodes_of_points[p] != numbers::invalid_unsigned_int)
           {
             const Node &node = mesh.nodes[mesh.nodes_of_points[p]];
-            result           = 1;
             for (unsigned int edge = 0; edge < 4; ++edge)
-              if (symmetric[edge] &&
-                  mesh.grid.on_edge(node.grid_index, static_cast<Edge>(edge)))
-                result *= 2;
+              on[edge] =
+                (symmetric[edge] &&
+                 mesh.grid.on_edge(node.grid_index, static_cast<Edge>(edge)));
           }
-      return Utilities::MPI::max(result, mesh.communicator);
+      std::vector<unsigned int> edges;
+      for (unsigned int edge = 0; edge < 4; ++edge)
+        if (Utilities::MPI::max(on[edge], mesh.communicator) > 0)
+          edges.push_back(edge);
+      return edges;
     }
 
 
@@ -163,13 +169,27 @@ namespace Biface
     }
 
 
-    /** The motion of a rigid body with the least norm that has the prescribed
+    /** Motions of a rigid body: the components of the translation of a center,
+     * and of a rotation about it. */
+    using RigidMotions = std::vector<std::array<double, 6>>;
+
+
+    double
+    displacement(const Row &row, const std::array<double, 6> &motion)
+    {
+      double sum = 0;
+      for (unsigned int i = 0; i < 6; ++i)
+        sum += row.derivatives[i] * motion[i];
+      return sum;
+    }
+
+
+    /** The sum of given motions with the least norm that has the prescribed
      * displacements.
-     * @param n 3 for a translation, 6 with a rotation.
      * @param fits whether it has them. */
-    Vector<double>
+    std::array<double, 6>
     rigid_motion(const std::vector<Row> &rows,
-                 const unsigned int      n,
+                 const RigidMotions     &motions,
                  const MPI_Comm          communicator,
                  bool                   &fits)
     {
@@ -178,27 +198,28 @@ namespace Biface
       constexpr double       open = 1e-6, tolerance = 1e-6;
       constexpr unsigned int repetitions = 4;
 
-      FullMatrix<double> products(n, n);
-      Vector<double>     right(n), solution(n);
+      const unsigned int    n = motions.size();
+      std::array<double, 6> result{};
+      FullMatrix<double>    products(n, n);
+      Vector<double>        right(n), solution(n);
       for (unsigned int i = 0; i < n; ++i)
         {
           right(i) = sum_over(rows, communicator, [&](const Row &row) {
-            return row.derivatives[i] * row.value;
+            return displacement(row, motions[i]) * row.value;
           });
           for (unsigned int j = 0; j < n; ++j)
             products(i, j) = sum_over(rows, communicator, [&](const Row &row) {
-              return row.derivatives[i] * row.derivatives[j];
+              return displacement(row, motions[i]) *
+                     displacement(row, motions[j]);
             });
         }
       double largest = 0;
       for (unsigned int i = 0; i < n; ++i)
         largest = std::max(largest, products(i, i));
-      // differences of the faces, which no translation changes
+      // as for differences of the faces, which no translation changes
+      fits = false;
       if (largest == 0)
-        {
-          fits = false;
-          return solution;
-        }
+        return result;
       FullMatrix<double> inverse(products);
       for (unsigned int i = 0; i < n; ++i)
         inverse(i, i) += open * largest;
@@ -211,28 +232,168 @@ namespace Biface
           inverse.vmult(change, left);
           solution += change;
         }
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int k = 0; k < 6; ++k)
+          result[k] += solution(i) * motions[i][k];
 
       const double error = sum_over(rows, communicator, [&](const Row &row) {
-        double missing = row.value;
-        for (unsigned int i = 0; i < n; ++i)
-          missing -= row.derivatives[i] * solution(i);
+        const double missing = row.value - displacement(row, result);
         return missing * missing;
       });
       const double all   = sum_over(rows, communicator, [](const Row &row) {
         return row.value * row.value;
       });
       fits               = (error <= tolerance * tolerance * all);
-      return solution;
+      return result;
     }
 
 
-    double
-    norm(const Vector<double> &values, const unsigned int begin)
+    Tensor<1, 3>
+    translation(const std::array<double, 6> &motion)
     {
-      double square = 0;
-      for (unsigned int i = begin; i < begin + 3; ++i)
-        square += values(i) * values(i);
-      return std::sqrt(square);
+      return Tensor<1, 3>({motion[0], motion[1], motion[2]});
+    }
+
+
+    Tensor<1, 3>
+    rotation(const std::array<double, 6> &motion)
+    {
+      return Tensor<1, 3>({motion[3], motion[4], motion[5]});
+    }
+
+
+    /** The planes of symmetry and the axis by which the whole structure
+     * follows from the part that is modeled. */
+    struct Images
+    {
+      std::vector<Tensor<1, 3>> normals;
+      /** Zero without cyclic edges. */
+      Tensor<1, 3> axis;
+    };
+
+
+    /** The unit vector across an edge of a grid, the same on all ranks. */
+    Tensor<1, 3>
+    normal_of_edge(const unsigned int edge, const MeshNodes &mesh)
+    {
+      Tensor<1, 3> sum;
+      double       n = 0;
+      for (const Node &node : mesh.nodes)
+        if (node.locally_owned &&
+            mesh.grid.on_edge(node.grid_index, static_cast<Edge>(edge)))
+          {
+            sum += node.surface.frame[edge / 2];
+            ++n;
+          }
+      sum = Utilities::MPI::sum(sum, mesh.communicator);
+      return sum / std::max(sum.norm(), std::numeric_limits<double>::min());
+    }
+
+
+    /** The translations, or the rotations, by which the modeled part and its
+     * images move as one body: translations in all planes of symmetry,
+     * rotations about their common normal; both along an axis.
+     * @param first 0 for translations, 3 for rotations. */
+    RigidMotions
+    motions_of_whole(const Images &images, const unsigned int first)
+    {
+      constexpr double parallel = 1e-6;
+
+      std::vector<Tensor<1, 3>> vectors;
+      const auto add_unit = [&vectors](const Tensor<1, 3> &vector) {
+        vectors.push_back(vector / vector.norm());
+      };
+      const auto &normals = images.normals;
+      // a plane of symmetry across the first one
+      const auto other = std::find_if(
+        normals.begin(), normals.end(), [&](const Tensor<1, 3> &normal) {
+          return cross_product_3d(normals[0], normal).norm() > parallel;
+        });
+      if (images.axis.norm() > 0)
+        add_unit(images.axis);
+      else if (normals.empty())
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            Tensor<1, 3> unit;
+            unit[d] = 1;
+            add_unit(unit);
+          }
+      else if (other != normals.end())
+        {
+          if (first == 0)
+            add_unit(cross_product_3d(normals[0], *other));
+        }
+      else if (first == 3)
+        add_unit(normals[0]);
+      else
+        {
+          Tensor<1, 3> across;
+          // not parallel to the normal
+          unsigned int d = 0;
+          for (unsigned int i = 1; i < 3; ++i)
+            if (std::abs(normals[0][i]) < std::abs(normals[0][d]))
+              d = i;
+          across[d] = 1;
+          add_unit(cross_product_3d(normals[0], across));
+          add_unit(cross_product_3d(normals[0], vectors[0]));
+        }
+      RigidMotions motions;
+      for (const Tensor<1, 3> &vector : vectors)
+        {
+          std::array<double, 6> motion{};
+          for (unsigned int i = 0; i < 3; ++i)
+            motion[first + i] = vector[i];
+          motions.push_back(motion);
+        }
+      return motions;
+    }
+
+
+    /** Find the kind and the amount of a motion. */
+    void
+    classify(const std::vector<Row> &rows,
+             const Images           &images,
+             const double            length,
+             const double            largest,
+             const MPI_Comm          communicator,
+             SupportMotion          &motion)
+    {
+      constexpr double round_off = 1e-6;
+
+      RigidMotions motions = motions_of_whole(images, 0);
+      bool         fits    = false;
+      auto         found   = rigid_motion(rows, motions, communicator, fits);
+      if (fits)
+        {
+          motion.kind   = SupportMotion::Kind::translation;
+          motion.amount = translation(found).norm();
+          return;
+        }
+      for (const auto &rotation : motions_of_whole(images, 3))
+        motions.push_back(rotation);
+      found = rigid_motion(rows, motions, communicator, fits);
+      // neither a screw nor a translation that is a bit oblique
+      const Tensor<1, 3>    turn = rotation(found);
+      std::array<double, 6> part = found;
+      std::fill(part.begin() + 3, part.end(), 0.);
+      const double of_translation =
+        sum_over(rows, communicator, [&](const Row &row) {
+          return displacement(row, part) * displacement(row, part);
+        });
+      const double all = sum_over(rows, communicator, [](const Row &row) {
+        return row.value * row.value;
+      });
+      if (fits && of_translation < all / 4 &&
+          std::abs(translation(found) * turn) <= round_off * turn.norm_square())
+        {
+          motion.kind   = SupportMotion::Kind::rotation;
+          motion.amount = turn.norm() / length;
+        }
+      else
+        {
+          motion.kind   = SupportMotion::Kind::other;
+          motion.amount = largest;
+        }
     }
 
 
@@ -269,13 +430,15 @@ namespace Biface
   {
     // the same on all ranks
     std::vector<SupportMotion> candidates;
+    std::vector<Images>        images_of_candidates;
     Edges                      symmetric{};
     for (unsigned int edge = 0; edge < 4; ++edge)
       symmetric[edge] = supports.is_symmetric(edge);
     unsigned int body = 0;
     // in the order of the bodies
     const auto add = [&](const std::vector<SupportCondition> &conditions,
-                         const double                         multiple) {
+                         const double                         multiple,
+                         const Images                        &images) {
       const MovedComponents moved = moved_components(conditions);
       for (const auto &[factor, components] : moved)
         {
@@ -284,26 +447,59 @@ namespace Biface
             for (const std::string &component : components)
               name += ' ' + component;
           candidates.push_back({name, body, factor, multiple});
+          images_of_candidates.push_back(images);
         }
       ++body;
     };
     for (const PointSupport &item : supports.points)
-      add(item.conditions,
-          mesh.grid.has_lines() ? multiple_of_point(item.point, symmetric, mesh)
-                                : 1.);
+      {
+        // a point has one image or more in each plane that it lies in
+        Images images;
+        double multiple = 1;
+        if (mesh.grid.has_lines())
+          for (const unsigned int edge :
+               symmetric_edges_of_point(item.point, symmetric, mesh))
+            {
+              multiple *= 2;
+              images.normals.push_back(normal_of_edge(edge, mesh));
+            }
+        add(item.conditions, multiple, images);
+      }
     for (unsigned int edge = 0; edge < 4; ++edge)
       if (!supports.edges[edge].empty())
-        add(supports.edges[edge],
-            multiple_of_edge(edge, supports, symmetric, mesh));
+        {
+          const double multiple =
+            multiple_of_edge(edge, supports, symmetric, mesh);
+          Images             images;
+          const unsigned int across = 1 - edge / 2;
+          if (multiple != 1)
+            {
+              if (supports.is_cyclic() && across == 1)
+                images.axis = mesh.get_surface().axis();
+              else
+                for (const unsigned int end : {2 * across, 2 * across + 1})
+                  if (symmetric[end])
+                    images.normals.push_back(normal_of_edge(end, mesh));
+            }
+          add(supports.edges[edge], multiple, images);
+        }
     for (const EdgeSupport &item : supports.named_edges)
-      add(item.conditions, 1);
+      add(item.conditions, 1, Images());
 
     std::vector<SupportMotion> result;
-    for (SupportMotion &motion : candidates)
+    std::set<std::string>      columns;
+    for (unsigned int k = 0; k < candidates.size(); ++k)
       {
-        const double           length = mesh.size();
-        const std::vector<Row> rows   = rows_of(
-          motion, mesh, supported, middle_of(motion, mesh, supported), length);
+        SupportMotion &motion = candidates[k];
+        const Images  &images = images_of_candidates[k];
+        const double   length = mesh.size();
+        Point<3>       center = middle_of(motion, mesh, supported);
+        // the axis passes through the origin
+        if (images.axis.norm() > 0)
+          center = Point<3>((center * images.axis) * images.axis /
+                            images.axis.norm_square());
+        const std::vector<Row> rows =
+          rows_of(motion, mesh, supported, center, length);
         double largest = 0;
         for (const Row &row : rows)
           largest = std::max(largest, std::abs(row.value));
@@ -311,20 +507,15 @@ namespace Biface
         // a formula may vanish at all nodes
         if (largest == 0)
           continue;
-        bool           fits  = false;
-        Vector<double> found = rigid_motion(rows, 3, mesh.communicator, fits);
-        if (fits)
-          {
-            motion.kind   = SupportMotion::Kind::translation;
-            motion.amount = norm(found, 0);
-          }
-        else
-          {
-            found         = rigid_motion(rows, 6, mesh.communicator, fits);
-            motion.kind   = (fits ? SupportMotion::Kind::rotation
-                                  : SupportMotion::Kind::other);
-            motion.amount = (fits ? norm(found, 3) / length : largest);
-          }
+        std::string column = motion.name;
+        std::replace(column.begin(), column.end(), ' ', '_');
+        if (!columns.insert(column).second)
+          throw InputError("two supports that move are '" + motion.name +
+                           "' in the column '" + column +
+                           "_force'; give a point in one item of the list "
+                           "'Supports/Point supports', and different names to "
+                           "edges.");
+        classify(rows, images, length, largest, mesh.communicator, motion);
         result.push_back(motion);
       }
     return result;
