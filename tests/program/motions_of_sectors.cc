@@ -9,27 +9,16 @@
 
 #include "../read_csv.h"
 #include "../restart.h"
+#include "tube.h"
 
 using namespace dealii;
 
 namespace
 {
-  const std::string tube = "set Materials = wall\n"
-                           "subsection Surface\n"
-                           "set Type = surface of revolution\n"
-                           "set Meridian = straight line\n"
-                           "subsection Straight line\n"
-                           "set Start = 100, 0\nset End = 100, 60\nend\nend\n"
-                           "subsection Material wall\nset Type = isotropic\n"
-                           "set E = 1000\nset nu = 0.3\nend\n"
-                           "subsection Laminate\nset Plies = wall: 2 @ 0\n"
-                           "set Reference surface = middle\nend\n"
-                           "subsection Supports\nset alpha_1 min = fixed\nend\n"
-                           "subsection Stage 1\nset Strain theory = linear\n"
-                           "set Load factor = 1\n"
-                           "end\n"
-                           "subsection Output\nset Write VTU = false\nend\n"
-                           "subsection Checkpoint\nset Write = false\nend\n";
+  const std::string supported =
+    "subsection Supports\nset alpha_1 min = fixed\nend\n"
+    "subsection Stage 1\nset Strain theory = linear\n"
+    "set Load factor = 1\nend\n";
 
 
   /** The last line of history.csv with a support and further options. */
@@ -58,7 +47,7 @@ int
 main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  std::ofstream("tube.prm") << tube;
+  std::ofstream("tube.prm") << tube("0.3") << supported;
 
   const std::vector<std::string> full{"Mesh/Intervals alpha_2=0:360:12"},
     cyclic{"Mesh/Intervals alpha_2=0:30:1",

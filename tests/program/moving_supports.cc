@@ -10,6 +10,7 @@
 
 #include "../read_csv.h"
 #include "../restart.h"
+#include "tube.h"
 
 using namespace dealii;
 
@@ -17,19 +18,6 @@ namespace
 {
   constexpr double E = 1000, R = 100, L = 60, h = 2, n_sectors = 12;
   const double     area = 2 * numbers::PI * R * h;
-
-  const std::string tube = "set Materials = wall\n"
-                           "subsection Surface\n"
-                           "set Type = surface of revolution\n"
-                           "set Meridian = straight line\n"
-                           "subsection Straight line\n"
-                           "set Start = 100, 0\nset End = 100, 60\nend\nend\n"
-                           "subsection Material wall\nset Type = isotropic\n"
-                           "set E = 1000\nset nu = 0\nend\n"
-                           "subsection Laminate\nset Plies = wall: 2 @ 0\n"
-                           "set Reference surface = middle\nend\n"
-                           "subsection Output\nset Write VTU = false\nend\n"
-                           "subsection Checkpoint\nset Write = false\nend\n";
 
 
   std::string
@@ -70,7 +58,7 @@ main(int argc, char *argv[])
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const bool is_root = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
   if (is_root)
-    std::ofstream("tube.prm") << tube;
+    std::ofstream("tube.prm") << tube("0");
   else
     std::cout.setstate(std::ios::failbit);
   MPI_Barrier(MPI_COMM_WORLD);
