@@ -91,19 +91,15 @@ namespace Biface
 
 
   std::optional<double>
-  TreadParameters::across(const std::optional<double> &penalty_stiffness) const
+  TreadParameters::across(const std::optional<double> &given) const
   {
-    return height ? in_series(penalty_stiffness, normal_stiffness())
-                  : penalty_stiffness;
+    return height ? in_series(given, normal_stiffness()) : given;
   }
 
 
   std::optional<double>
-  TreadParameters::along(
-    const std::optional<double> &tangential_stiffness) const
+  TreadParameters::along(const std::optional<double> &given) const
   {
-    return height
-             ? in_series(tangential_stiffness, this->tangential_stiffness())
-             : tangential_stiffness;
+    return height ? in_series(given, tangential_stiffness()) : given;
   }
 } // namespace Biface

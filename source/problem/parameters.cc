@@ -621,14 +621,18 @@ namespace Biface
       sentences.push_back("No stage has a 'Pressure', to which " +
                           in_quotes(of_pressure) + " would apply.");
 
+    // the plies on the surface, and the lines of the mesh across them
+    const auto laid_out = [this]() {
+      const std::shared_ptr<const ReferenceSurface> made =
+        make_surface(surface);
+      return std::make_pair(
+        Layup(
+          laminate, materials, plies_on_surface(made, ChartGrid(mesh, *made))),
+        mesh.intervals[0].on(made->end(0)).lines());
+    };
     if (surface.type == ReferenceSurface::Parameters::Type::plane)
       {
-        const std::shared_ptr<const ReferenceSurface> made =
-          make_surface(surface);
-        const Layup layup(
-          laminate, materials, plies_on_surface(made, ChartGrid(mesh, *made)));
-        const std::vector<double> lines =
-          mesh.intervals[0].on(made->end(0)).lines();
+        const auto [layup, lines] = laid_out();
         if (!is_symmetric(layup, (lines[0] + lines[1]) / 2))
           sentences.push_back(
             "The plies are not symmetric about the middle of the wall: forces "
@@ -637,12 +641,7 @@ namespace Biface
 
     if (!mesh.closed && supports.is_symmetric(2) && supports.is_symmetric(3))
       {
-        const std::shared_ptr<const ReferenceSurface> made =
-          make_surface(surface);
-        const Layup layup(
-          laminate, materials, plies_on_surface(made, ChartGrid(mesh, *made)));
-        const std::vector<double> lines =
-          mesh.intervals[0].on(made->end(0)).lines();
+        const auto [layup, lines] = laid_out();
         std::string angled;
         for (const PlyDescription &ply : layup.get_plies())
           {

@@ -26,6 +26,7 @@
 #include <biface/output/csv.h>
 #include <biface/output/result_file.h>
 #include <biface/output/scalar_results.h>
+#include <biface/stepping/stage_sequence.h>
 #include <biface/study/sample_queue.h>
 #include <biface/study/sample_states.h>
 #include <biface/study/study.h>
@@ -138,8 +139,8 @@ namespace Biface
         always.volume = (cavity != nullptr);
         for (unsigned int s = 0; s < parameters.stages.size(); ++s)
           {
-            starts_elsewhere.push_back(parameters.stages[s].start_from &&
-                                       *parameters.stages[s].start_from != s);
+            starts_elsewhere.push_back(
+              s > 0 && stage_before(parameters.stages, s) != s - 1);
             Numbers at_end, at_steps;
             for (unsigned int o = 0; o < outputs.size(); ++o)
               if (outputs[o].of != Output::Of::end && outputs[o].stage.empty())

@@ -54,11 +54,11 @@ namespace Biface
      * it replaces an automatic one, and is in series with a given one. Unit:
      * pressure/length. */
     std::optional<double>
-    across(const std::optional<double> &penalty_stiffness) const;
+    across(const std::optional<double> &given) const;
 
     /** Like across() along the face. */
     std::optional<double>
-    along(const std::optional<double> &tangential_stiffness) const;
+    along(const std::optional<double> &given) const;
   };
 } // namespace Biface
 

@@ -15,6 +15,7 @@
 #include <set>
 
 #include <biface/base/errors.h>
+#include <biface/input/parameter_tools.h>
 #include <biface/model/mesh/constraints.h>
 #include <biface/model/mesh/mesh_nodes.h>
 #include <biface/model/mesh/named_points.h>
@@ -169,6 +170,16 @@ namespace Biface
     }
 
 
+    /** The sum of the squares of the prescribed displacements. */
+    double
+    square_of_all(const std::vector<Row> &rows, const MPI_Comm communicator)
+    {
+      return sum_over(rows, communicator, [](const Row &row) {
+        return row.value * row.value;
+      });
+    }
+
+
     /** Motions of a rigid body: the components of the translation of a center,
      * and of a rotation about it. */
     using RigidMotions = std::vector<std::array<double, 6>>;
@@ -202,17 +213,16 @@ namespace Biface
       std::array<double, 6> result{};
       FullMatrix<double>    products(n, n);
       Vector<double>        right(n), solution(n);
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          right(i) = sum_over(rows, communicator, [&](const Row &row) {
-            return displacement(row, motions[i]) * row.value;
-          });
-          for (unsigned int j = 0; j < n; ++j)
-            products(i, j) = sum_over(rows, communicator, [&](const Row &row) {
-              return displacement(row, motions[i]) *
-                     displacement(row, motions[j]);
-            });
-        }
+      for (const Row &row : rows)
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            const double along = displacement(row, motions[i]);
+            right(i) += along * row.value;
+            for (unsigned int j = 0; j < n; ++j)
+              products(i, j) += along * displacement(row, motions[j]);
+          }
+      Utilities::MPI::sum(right, communicator, right);
+      Utilities::MPI::sum(products, communicator, products);
       double largest = 0;
       for (unsigned int i = 0; i < n; ++i)
         largest = std::max(largest, products(i, i));
@@ -240,10 +250,8 @@ namespace Biface
         const double missing = row.value - displacement(row, result);
         return missing * missing;
       });
-      const double all   = sum_over(rows, communicator, [](const Row &row) {
-        return row.value * row.value;
-      });
-      fits               = (error <= tolerance * tolerance * all);
+      fits =
+        (error <= tolerance * tolerance * square_of_all(rows, communicator));
       return result;
     }
 
@@ -380,10 +388,7 @@ namespace Biface
         sum_over(rows, communicator, [&](const Row &row) {
           return displacement(row, part) * displacement(row, part);
         });
-      const double all = sum_over(rows, communicator, [](const Row &row) {
-        return row.value * row.value;
-      });
-      if (fits && of_translation < all / 4 &&
+      if (fits && of_translation < square_of_all(rows, communicator) / 4 &&
           std::abs(translation(found) * turn) <= round_off * turn.norm_square())
         {
           motion.kind   = SupportMotion::Kind::rotation;
@@ -507,8 +512,7 @@ namespace Biface
         // a formula may vanish at all nodes
         if (largest == 0)
           continue;
-        std::string column = motion.name;
-        std::replace(column.begin(), column.end(), ' ', '_');
+        const std::string column = with_underscores(motion.name);
         if (!columns.insert(column).second)
           throw InputError("two supports that move are '" + motion.name +
                            "' in the column '" + column +
