@@ -383,8 +383,7 @@ namespace Biface
         perturbed->enter_stage();
         perturbed->run->start();
         // which no steps of its own have left
-        if (before && results.have_stiffness() &&
-            perturbed->progress.first_reactions)
+        if (before && results.have_stiffness())
           perturbed->progress.first_reactions =
             perturbed->reactions(perturbed->state, perturbed->progress.reached);
       }
@@ -972,7 +971,7 @@ namespace Biface
                 Progress &progress = perturbed.progress;
                 progress.reactions =
                   perturbed.reactions(perturbed.before, perturbed.level_before);
-                changed.stiffness_of_motions = stiffness_of_motions(
+                changed.stiffness = stiffness_of_motions(
                   *perturbed.run,
                   perturbed.reactions(perturbed.state, progress.reached));
               }
@@ -987,6 +986,8 @@ namespace Biface
           }
         for (unsigned int o = 0; o < names.size(); ++o)
           {
+            if (std::isnan(here[o]))
+              continue;
             const double derivative =
               (values[1][o] - values[0][o]) / change.step;
             if (std::isfinite(derivative))

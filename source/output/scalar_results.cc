@@ -299,11 +299,11 @@ namespace Biface
               }
             case Source::Kind::stiffness:
               {
-                const auto found =
-                  report.stiffness_of_motions.find(source.name);
-                if (found != report.stiffness_of_motions.end())
+                const auto found = report.stiffness.find(source.name);
+                if (found != report.stiffness.end())
                   value = (source.component == 0 ? found->second.tangent
-                                                 : found->second.secant);
+                                                 : found->second.secant)
+                            .along();
                 break;
               }
             case Source::Kind::frequency:

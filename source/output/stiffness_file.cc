@@ -13,6 +13,9 @@ namespace Biface
 
   namespace
   {
+    const std::string ground = "foundation";
+
+
     std::string
     stiffness_header()
     {
@@ -27,15 +30,15 @@ namespace Biface
 
 
     std::string
-    name_of(const StiffnessAgainstGround::Motion motion)
+    name_of(const Stiffness::Motion motion)
     {
       switch (motion)
         {
-          case StiffnessAgainstGround::Motion::approach:
+          case Stiffness::Motion::approach:
             return "approach";
-          case StiffnessAgainstGround::Motion::slide:
+          case Stiffness::Motion::slide:
             return "slide";
-          case StiffnessAgainstGround::Motion::turn:
+          case Stiffness::Motion::turn:
             return "turn";
         }
       Assert(false, ExcInternalError());
@@ -70,20 +73,27 @@ namespace Biface
   {}
 
 
+  bool
+  StiffnessFile::contains(const StepReport &report) const
+  {
+    const auto found = report.stiffness.find(ground);
+    return found != report.stiffness.end() && found->second.secant.amount != 0;
+  }
+
+
   void
   StiffnessFile::write(const StepReport &report, const State & /*state*/)
   {
-    const StepStiffness          &stiffness = *report.stiffness;
-    const GroundReaction         &loaded    = stiffness.loaded;
-    const StiffnessAgainstGround &secant    = stiffness.secant;
-    const StiffnessAgainstGround &tangent   = stiffness.tangent;
-    const Tensor<1, 3>           &outward = report.loads->ground()->direction();
+    const StepStiffness &stiffness = report.stiffness.at(ground);
+    const Stiffness     &secant    = stiffness.secant;
+    const Stiffness     &tangent   = stiffness.tangent;
+    const Tensor<1, 3>  &outward   = report.loads->ground()->direction();
 
     // the ground pushes inward: compressive forces are positive
     append(std::to_string(report.step) + ',' + report.stage + ',' +
-           csv_number(loaded.level.pressure) + ',' +
-           csv_number(-(loaded.force * outward)) + ',' +
-           csv_number(loaded.level.travel) + ',' + name_of(secant.motion) +
+           csv_number(stiffness.level.pressure) + ',' +
+           csv_number(-(stiffness.loaded.force * outward)) + ',' +
+           csv_number(stiffness.level.travel) + ',' + name_of(secant.motion) +
            ',' + csv_number(secant.amount) + components(secant.direction) +
            ',' + csv_number(secant.along()) + ',' +
            csv_number(tangent.along()) + components(secant.force) +

@@ -9,6 +9,16 @@ namespace Biface
 {
   using namespace dealii;
 
+  MovingReaction
+  without_force(const PlacedBody &placed)
+  {
+    MovingReaction result;
+    result.displacement = placed.body.displacement_of_point();
+    result.rotation     = placed.body.rotation_vector();
+    return result;
+  }
+
+
   MovingReactions
   moving_reactions(const ShellEquations            &equations,
                    const LoadLevel                 &level,
@@ -26,19 +36,14 @@ namespace Biface
       }
     for (const auto &[number, body_there] : loads.bodies)
       {
-        const PlacedBody &placed = *body_there;
-        MovingReaction   &body   = result.of[placed.name];
-        body.displacement        = placed.body.displacement_of_point();
-        body.rotation            = placed.body.rotation_vector();
-        if (number == 0)
-          {
-            const Tensor<1, 3> &outward = placed.body.direction();
-            body.displacement           = level.slide - level.travel * outward;
-            body.rotation               = level.turn * outward;
-          }
+        MovingReaction &body = result.of[body_there->name];
+        body                 = without_force(*body_there);
         for (const ForceOnShell &item : forces)
-          if (item.body == placed.name)
-            body.force = item.force;
+          if (item.body == body_there->name)
+            {
+              body.force  = item.force;
+              body.moment = item.moment;
+            }
       }
     return result;
   }

@@ -30,15 +30,14 @@ namespace Biface
   void
   Progress::rearrange_factors(const std::vector<unsigned int> &positions)
   {
-    for (std::vector<double> *factors :
-         {&reached.factors, &control.start.factors, &factors_of_shape})
+    for (std::vector<double> *factors : {&reached.factors,
+                                         &control.start.factors,
+                                         &factors_of_shape,
+                                         &first_reactions.level.factors})
       *factors = rearranged(*factors, positions);
-    for (std::optional<GroundReaction> *at : {&reaction, &first_reaction})
-      if (*at)
-        (*at)->level.factors = rearranged((*at)->level.factors, positions);
-    for (std::optional<MovingReactions> *at : {&reactions, &first_reactions})
-      if (*at)
-        (*at)->level.factors = rearranged((*at)->level.factors, positions);
+    if (reactions)
+      reactions->level.factors =
+        rearranged(reactions->level.factors, positions);
   }
 
 

@@ -3,7 +3,7 @@
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
-#include <set>
+#include <limits>
 #include <string>
 
 #include <biface/base/errors.h>
@@ -61,36 +61,6 @@ namespace Biface
     }
 
 
-    /** Whether the forces at rest in a stage may differ from those at the end
-     * of the one before, though nothing moves: by friction or glue that was
-     * there, the theory of strains, bodies that leave, or dashpots and inertia
-     * before. */
-    bool
-    changes_forces(const Stage              &before,
-                   const Stage              &stage,
-                   const ContactInteraction &contact)
-    {
-      const auto text = [](const Stage &of) {
-        return of.laws.friction ? of.laws.friction->get_text() : std::string();
-      };
-      const std::set<std::string> bodies(stage.bodies.begin(),
-                                         stage.bodies.end());
-      return before.inertia || before.damping > 0 ||
-             before.theory != stage.theory ||
-             (text(before) != text(stage) &&
-              contact.ground().laws(before.laws, false).has_friction()) ||
-             before.laws.tangential_stiffness !=
-               stage.laws.tangential_stiffness ||
-             (before.laws.glued && !stage.laws.glued) ||
-             (before.contact && !stage.contact) ||
-             std::any_of(before.bodies.begin(),
-                         before.bodies.end(),
-                         [&](const std::string &body) {
-                           return bodies.count(body) == 0;
-                         });
-    }
-
-
     /** The stage whose contact a stage continues; from prestress, contact
      * starts anew. */
     std::optional<Stage>
@@ -132,11 +102,11 @@ namespace Biface
     , stage(with_change_of_stiffness(progress.complete(stages[progress.stage]),
                                      before_in(stages, progress.stage),
                                      progress.start_of_stage()))
+    , before(before_in(stages, progress.stage))
     , control(make_control(stage, parameters))
     , rolls(stage.rolls(progress.start_of_stage()))
     , laws(contact.ground().laws(stage.laws, rolls))
     , laws_of_bodies(make_laws_of_bodies(contact, stage))
-    , before(before_in(stages, progress.stage))
   {
     if (progress.stage_begun)
       control->restore(progress.control);
@@ -291,7 +261,6 @@ namespace Biface
     progress.work             = Work();
     progress.factors_of_shape = progress.reached.factors;
     progress.travel_at_first_contact.reset();
-    progress.reaction.reset();
     progress.last_change.clear();
     return equations.start_from_prestress(
       state, loads_without_contact(progress.reached));
@@ -317,6 +286,32 @@ namespace Biface
               ", more than its thickness; let the body start outside and move "
               "it by 'Load factors'");
       }
+  }
+
+
+  void
+  StageRun::note_first_reactions(const bool ground_is_placed)
+  {
+    if (progress.reactions)
+      progress.first_reactions = *progress.reactions;
+    progress.reactions.reset();
+    // displacements count from here, and nothing reacts but to a prestress
+    if (stage.from_prestress || progress.n_steps == 0)
+      {
+        MovingReaction at_rest;
+        if (stage.from_prestress)
+          at_rest.force[0] = std::numeric_limits<double>::quiet_NaN();
+        progress.first_reactions = {progress.reached, {}};
+        for (const SupportMotion &motion : equations.mesh.supported.motions)
+          progress.first_reactions.of[motion.name] = at_rest;
+      }
+    const Loads loads = loads_at(progress.reached);
+    for (const auto &pair : contact.pairs)
+      if (const PlacedBody *placed = pair->body(loads))
+        if (progress.first_reactions.of.count(pair->name) == 0 &&
+            ((pair.get() == &contact.ground() && ground_is_placed) ||
+             !(penetration(*pair, state, loads) > 0)))
+          progress.first_reactions.of[pair->name] = without_force(*placed);
   }
 
 
@@ -351,35 +346,18 @@ namespace Biface
       unbalance = start_from_prestress();
     // travel counts from where the ground meets the shell as it is here, such
     // as after inflation; stages that follow keep this place
-    if (stage.contact && !progress.travel_at_first_contact)
+    const bool ground_is_placed =
+      stage.contact && !progress.travel_at_first_contact;
+    if (ground_is_placed)
       {
         progress.travel_at_first_contact =
           travel_at_first_contact(contact.ground(), state);
         progress.first_contact_point = first_contact_point(
           contact.ground(), state, *progress.travel_at_first_contact);
-        progress.reaction = {progress.reached, {}, {}};
       }
-    // from which the secant stiffness of the stage counts
-    progress.first_reaction = progress.reaction;
-    if (stage.from_prestress ||
-        (before && changes_forces(*before, stage, contact)))
-      progress.reactions.reset();
-    // the shell without loads, where nothing has moved or reacts
-    else if (progress.n_steps == 0)
-      {
-        progress.reactions = MovingReactions{progress.reached, {}};
-        for (const SupportMotion &motion : equations.mesh.supported.motions)
-          progress.reactions->of[motion.name];
-        for (const auto &pair : contact.pairs)
-          if (pair.get() != &contact.ground() && has_body(stage, *pair))
-            progress.reactions->of[pair->name];
-      }
-    // the ground has just been placed
-    if (progress.reactions && progress.reaction && stage.contact)
-      progress.reactions->of.insert({"foundation", MovingReaction()});
-    progress.first_reactions = progress.reactions;
     InternalForces::set_theory(stage.theory, state);
     check_bodies();
+    note_first_reactions(ground_is_placed);
     keep_tangential_tractions();
     equations.start_stage(loads_at(progress.reached), state);
 

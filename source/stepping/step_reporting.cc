@@ -35,39 +35,6 @@ namespace Biface
   }
 
 
-  namespace
-  {
-    /** The stiffness of the last step, if the ground alone has moved.
-     * @param before what it exerted before the step. */
-    std::optional<StepStiffness>
-    stiffness(const StageRun &run, const std::optional<GroundReaction> &before)
-    {
-      const Progress &progress = run.progress;
-      const auto     &first    = progress.first_reaction;
-      if (!first || !before || run.changes_penalty_stiffness())
-        return {};
-      const LoadLevel &now = progress.reaction->level;
-      // the pressure of a sealed gas follows from the motion
-      if (now.factors != first->level.factors ||
-          (now.pressure != first->level.pressure && !run.stage.sealed))
-        return {};
-
-      const Tensor<1, 3> outward =
-        run.contact.ground().moving_body.at_rest().direction();
-      const Point<3> center = progress.first_contact_point +
-                              first->level.slide -
-                              first->level.travel * outward;
-      const auto secant =
-        stiffness_against_ground(*first, *progress.reaction, outward, center);
-      const auto tangent =
-        stiffness_against_ground(*before, *progress.reaction, outward, center);
-      if (!secant || !tangent)
-        return {};
-      return StepStiffness{*first, *secant, *tangent};
-    }
-  } // namespace
-
-
   StepReport
   report_step(const StageRun                           &run,
               const Loads                              &loads,
@@ -84,19 +51,11 @@ namespace Biface
     report.forces = forces;
     report.forces_of_bodies =
       forces_on_shell(run.equations, run.state, *forces);
-    report.controlled                          = run.control->controlled();
-    const std::optional<GroundReaction> before = progress.reaction;
-    progress.reaction.reset();
-    if (run.stage.contact)
-      {
-        const ForceOnShell &now = force_of_ground(report.forces_of_bodies);
-        progress.reaction       = {progress.reached, now.force, now.moment};
-        report.stiffness        = stiffness(run, before);
-      }
+    report.controlled               = run.control->controlled();
     const MovingReactions reactions = moving_reactions(
       run.equations, progress.reached, loads, report.forces_of_bodies);
-    report.stiffness_of_motions = stiffness_of_motions(run, reactions);
-    progress.reactions          = reactions;
+    report.stiffness   = stiffness_of_motions(run, reactions);
+    progress.reactions = reactions;
     return report;
   }
 } // namespace Biface

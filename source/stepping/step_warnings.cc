@@ -50,6 +50,7 @@ namespace Biface
     warn_of_large_cells(run, *report.loads);
     warn_of_pull(run, report);
     warn_of_steep_sides(run, report);
+    warn_of_stiffness(run, report);
   }
 
 
@@ -77,6 +78,20 @@ namespace Biface
               << std::endl;
           warned_of_steep_sides.insert(pair->name);
         }
+  }
+
+
+  void
+  StepWarnings::warn_of_stiffness(const StageRun &run, const StepReport &report)
+  {
+    const auto found = report.stiffness.find(run.contact.ground().name);
+    if (found == report.stiffness.end() || found->second.doubt.empty() ||
+        !warned_of_stiffness.insert(run.stage.name).second)
+      return;
+    out << "  Warning: stiffness.csv has nan in " << run.stage.name
+        << ", since " << found->second.doubt
+        << ": forces may change in it though the ground is at rest"
+        << std::endl;
   }
 
 

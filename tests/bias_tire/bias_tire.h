@@ -49,8 +49,9 @@ secant_stiffnesses(const std::vector<Biface::StepReport> &reports)
 {
   std::map<std::string, double> stiffnesses;
   for (const Biface::StepReport &report : reports)
-    if (report.stiffness)
-      stiffnesses[report.stage] = report.stiffness->secant.along();
+    if (report.stiffness.count("foundation") > 0)
+      stiffnesses[report.stage] =
+        report.stiffness.at("foundation").secant.along();
   return stiffnesses;
 }
 

@@ -41,8 +41,10 @@ namespace
                 1e-7,
                 stopped.contact.force);
     check_true("nothing slips", unchanged.contact.n_slipping == 0);
-    const double stiffness  = reports[6].stiffness->secant.along();
-    const double not_rolled = reports[7].stiffness->secant.along();
+    const double stiffness =
+      reports[6].stiffness.at("foundation").secant.along();
+    const double not_rolled =
+      reports[7].stiffness.at("foundation").secant.along();
     check_small("lateral stiffness beside that without rolling",
                 stiffness - not_rolled,
                 1e-6,

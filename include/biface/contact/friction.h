@@ -84,6 +84,12 @@ namespace Biface
       , s_c(critical_velocity)
     {}
 
+    const FrictionCoefficient &
+    get_coefficient() const
+    {
+      return coefficient;
+    }
+
     /** The law with another critical velocity. */
     FrictionLaw
     with_critical_velocity(const double velocity) const

@@ -26,10 +26,7 @@ namespace Biface
 
   private:
     bool
-    contains(const StepReport &report) const override
-    {
-      return report.stiffness.has_value();
-    }
+    contains(const StepReport &report) const override;
 
     void
     write(const StepReport &report, const State &state) override;

@@ -14,26 +14,31 @@
 
 namespace Biface
 {
+  struct PlacedBody;
+
+
   /** What moves on the shell, and what it exerts on the shell. */
   struct MovingReaction
   {
     /** The displacement and the force of a body; those of a support have one
      * component. */
     dealii::Tensor<1, 3> displacement, force;
-    /** The rotation of a body as a vector; zero for a support. */
-    dealii::Tensor<1, 3> rotation;
+    /** The rotation of a body as a vector, and its moment about the origin;
+     * zero for a support. */
+    dealii::Tensor<1, 3> rotation, moment;
 
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &displacement &force &rotation;
+      archive &displacement &force &rotation &moment;
     }
   };
 
 
-  /** All of them in an equilibrium: the ground as `foundation`, the bodies and
-   * the motions of supports, see SupportMotion, by name, and the loads. */
+  /** All of them in an equilibrium: the ground, the bodies and the motions of
+   * supports, see SupportMotion, by name, and the loads with the motions of the
+   * ground. */
   struct MovingReactions
   {
     LoadLevel                             level;
@@ -46,6 +51,11 @@ namespace Biface
       archive &level &of;
     }
   };
+
+
+  /** A body at its present place that exerts nothing. */
+  MovingReaction
+  without_force(const PlacedBody &placed);
 
 
   /** The reactions in an equilibrium.

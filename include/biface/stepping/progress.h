@@ -13,7 +13,6 @@
 #include <biface/stepping/controls/control.h>
 #include <biface/stepping/moving_reactions.h>
 #include <biface/stepping/secant_predictor.h>
-#include <biface/stepping/stiffness_against_ground.h>
 
 namespace Biface
 {
@@ -47,14 +46,13 @@ namespace Biface
      * prestress. */
     Work work;
 
-    /** The forces and moments that the ground exerts now, and at the start
-     * of the stage; not set if there was no ground. */
-    std::optional<GroundReaction> reaction, first_reaction;
-
-    /** The reactions of supports and bodies that move, now and at the start of
-     * the stage; not set before the first step after a start from a prestress,
-     * where displacements count from another shape. */
-    std::optional<MovingReactions> reactions, first_reactions;
+    /** The reactions of supports and bodies at the end of the last step of the
+     * stage; not set before its first one. */
+    std::optional<MovingReactions> reactions;
+    /** The reactions at the start of the stage, without bodies that come there
+     * and touch the shell; not a number at supports of a shell under prestress.
+     */
+    MovingReactions first_reactions;
 
     /** The rolling radius at the end of the last stage that ended in free
      * rolling, see Biface::free_rolling_radius(). */
@@ -132,10 +130,8 @@ namespace Biface
       archive &n_steps &stage &stage_begun &reached;
       serialize_optional(archive, travel_at_first_contact);
       archive &first_contact_point &factors_of_shape &work;
-      serialize_optional(archive, reaction);
-      serialize_optional(archive, first_reaction);
       serialize_optional(archive, reactions);
-      serialize_optional(archive, first_reactions);
+      archive &first_reactions;
       serialize_optional(archive, free_rolling_radius);
       serialize_optional(archive, n_negative_pivots);
       archive &failed_stages &control &predictor;

@@ -88,15 +88,6 @@ namespace Biface
       return control->done() == 0 && before && before->inertia;
     }
 
-    /** Whether the penalty stiffness of contact changes in the stage, and
-     * forces with it though nothing moves. */
-    bool
-    changes_penalty_stiffness() const
-    {
-      return before &&
-             before->laws.penalty_stiffness != stage.laws.penalty_stiffness;
-    }
-
     /** The completed part of the stage. */
     Instant
     instant() const
@@ -113,7 +104,11 @@ namespace Biface
 
     /** The description of the stage, see Progress::complete(), with the change
      * of the stiffness of contact. */
-    const Stage                    stage;
+    const Stage stage;
+    /** The stage whose contact this one continues; none if it starts
+     * undeformed.
+     */
+    const std::optional<Stage>     before;
     const std::unique_ptr<Control> control;
     /** Whether the shell rolls in the stage, see Stage::rolls(). */
     const bool rolls;
@@ -151,9 +146,10 @@ namespace Biface
     ShellEquations::Unbalance
     start_from_prestress();
 
-    /** The stage from whose end this one starts; none if it starts undeformed.
-     */
-    const std::optional<Stage> before;
+    /** Note the reactions from which the stiffnesses of the stage count.
+     * @param ground_is_placed whether the ground just touches the shell. */
+    void
+    note_first_reactions(const bool ground_is_placed);
   };
 } // namespace Biface
 

@@ -20,7 +20,6 @@
 #include <biface/model/time/energy_of_motion.h>
 #include <biface/stepping/instant.h>
 #include <biface/stepping/load_level.h>
-#include <biface/stepping/stiffness_against_ground.h>
 #include <biface/stepping/stiffness_of_motions.h>
 
 namespace Biface
@@ -86,13 +85,10 @@ namespace Biface
     std::shared_ptr<const NodalForces> forces;
     /** The resultants of the forces on the nodes, see forces_on_shell(). */
     std::vector<ForceOnShell> forces_of_bodies;
-    /** The stiffness against the motion of the ground, if that alone has
-     * moved, in one way, since the start of the stage. */
-    std::optional<StepStiffness> stiffness;
-    /** The stiffness of the motions of supports and bodies, by name, see
-     * stiffness_of_motions(). */
-    std::map<std::string, StiffnessOfMotion> stiffness_of_motions;
-    unsigned int                             iterations = 0;
+    /** The stiffness of the motions of the ground, bodies and supports, by
+     * name, see stiffness_of_motions(). */
+    std::map<std::string, StepStiffness> stiffness;
+    unsigned int                         iterations = 0;
     /** How often the step was halved. */
     unsigned int n_cuts = 0;
     /** The relative residuals before each iteration and after the last. */

@@ -47,9 +47,13 @@ namespace Biface
     void
     warn_of_pull(const StageRun &run, const StepReport &report);
 
+    /** Warn of stiffnesses of the ground that are not certain. */
+    void
+    warn_of_stiffness(const StageRun &run, const StepReport &report);
+
     dealii::ConditionalOStream &out;
     std::set<std::string>       warned_of_pierced_nodes, warned_of_large_cells,
-      warned_of_pull, warned_of_steep_sides;
+      warned_of_pull, warned_of_steep_sides, warned_of_stiffness;
     bool warned_of_rigid_motions = false;
   };
 } // namespace Biface

@@ -134,6 +134,8 @@ def add_stiffness(result, results, table, system):
     rolling = results.rolling()
     if rolling is not None:
         table = table.where(~np.isin(table["step"], rolling["step"]))
+    # where other forces change beside those of the motion, there is no stiffness
+    table = table.where(np.isfinite(table["secant"]))
     length, force = system["length"], system["force"]
     seen, loads = {}, {}
     for row in table.rows():
