@@ -13,6 +13,7 @@
 
 #include <biface/analysis/simulation.h>
 #include <biface/problem/parameters.h>
+#include <biface/stepping/step_report.h>
 
 using Observer = std::function<void(const Biface::ShellEquations &,
                                     const Biface::StepReport &,

@@ -137,8 +137,8 @@ namespace Biface
         equations.mesh,
         progress,
         [&simulation]() {
-          return CheckpointWriter::Points{simulation.get_restore_points(),
-                                          simulation.get_perturbed_points()};
+          return AllPoints{simulation.get_restore_points(),
+                           simulation.get_perturbed_points()};
         },
         results,
         checkpoint != nullptr);

@@ -10,6 +10,7 @@
 #include <biface/contact/body_shapes.h>
 #include <biface/contact/formula_surface.h>
 #include <biface/contact/friction.h>
+#include <biface/contact/ground_parameters.h>
 #include <biface/contact/height_field.h>
 #include <biface/contact/implicit_body.h>
 #include <biface/contact/rigid_body.h>

@@ -8,6 +8,7 @@
 #include <biface/base/errors.h>
 #include <biface/contact/body_section.h>
 #include <biface/contact/body_shapes.h>
+#include <biface/contact/ground_parameters.h>
 #include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 
@@ -28,6 +29,11 @@ namespace Biface
   } // namespace
 
 
+  BodyShape::BodyShape(const TravelLine &line)
+    : direction(line.direction / line.direction.norm()), point(line.point)
+  {}
+
+
   double
   BodyShape::travel_to(const Point<3> & /*x*/) const
   {
@@ -37,7 +43,7 @@ namespace Biface
 
 
   void
-  RigidSphere::Parameters::add_parameters(EntryDeclarations &prm)
+  SphereParameters::add_parameters(EntryDeclarations &prm)
   {
     add_optional_number(
       prm,
@@ -90,7 +96,7 @@ namespace Biface
 
 
   void
-  RigidDrum::Parameters::add_parameters(EntryDeclarations &prm)
+  DrumParameters::add_parameters(EntryDeclarations &prm)
   {
     add_optional_number(
       prm,

@@ -4,6 +4,7 @@
 
 #include <biface/base/errors.h>
 #include <biface/contact/contact_condition.h>
+#include <biface/contact/contact_condition_parameters.h>
 #include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 
@@ -40,7 +41,7 @@ namespace Biface
 
 
   void
-  ContactCondition::Parameters::add_parameters(EntryDeclarations &prm)
+  ContactConditionParameters::add_parameters(EntryDeclarations &prm)
   {
     add_choice(
       prm,
@@ -78,7 +79,7 @@ namespace Biface
 
 
   void
-  ContactCondition::Parameters::check() const
+  ContactConditionParameters::check() const
   {
     if (penalty_stiffness)
       check_positive("Contact/Regularization", *penalty_stiffness);
@@ -87,4 +88,11 @@ namespace Biface
                        std::to_string(points_per_side),
                        "it must be 0 with 'Multiplier mass = consistent'");
   }
+
+
+  ContactCondition::ContactCondition(const Parameters &parameters,
+                                     const double      wall_stiffness)
+    : ContactCondition(
+        parameters.penalty_stiffness.value_or(7000 * wall_stiffness))
+  {}
 } // namespace Biface

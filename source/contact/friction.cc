@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <biface/contact/friction.h>
+#include <biface/contact/friction_parameters.h>
 #include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 
@@ -11,7 +12,7 @@ namespace Biface
   using namespace dealii;
 
   void
-  FrictionLaw::Parameters::add_parameters(EntryDeclarations &prm)
+  FrictionParameters::add_parameters(EntryDeclarations &prm)
   {
     // no number with a unit is built in: the tangential stiffness follows from
     // the wall, and a critical velocity must be given where a wheel needs one
@@ -63,7 +64,7 @@ namespace Biface
 
 
   void
-  FrictionLaw::Parameters::check() const
+  FrictionParameters::check() const
   {
     if (tangential_stiffness)
       check_positive("Contact/Tangential regularization",

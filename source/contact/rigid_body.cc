@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include <biface/contact/body_motion.h>
+#include <biface/contact/ground_parameters.h>
 #include <biface/contact/rigid_body.h>
 #include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
@@ -13,7 +15,7 @@ namespace Biface
   using namespace dealii;
 
   void
-  RigidBody::Parameters::add_parameters(EntryDeclarations &prm)
+  GroundParameters::add_parameters(EntryDeclarations &prm)
   {
     add_choice(prm,
                "Foundation",
@@ -48,7 +50,7 @@ namespace Biface
 
 
   void
-  RigidBody::Parameters::check() const
+  GroundParameters::check() const
   {
     // the constructor checks its parameters
     RigidBody ground(*this);
@@ -83,6 +85,15 @@ namespace Biface
   RigidBody::RigidBody(const Parameters &parameters)
     : RigidBody(make_shape(parameters))
   {}
+
+
+  double
+  RigidBody::Screw::rate(
+    const double                                     travel,
+    const std::function<double(const unsigned int)> &rate_of) const
+  {
+    return factor == BodyMotion::travel_of_ground ? travel : rate_of(factor);
+  }
 
 
   RigidBody

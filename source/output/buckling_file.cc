@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include <biface/model/equations/shell_equations.h>
 #include <biface/output/buckling_file.h>
 #include <biface/output/csv.h>
 #include <biface/output/reaction_columns.h>
 #include <biface/stepping/buckling.h>
 #include <biface/stepping/stage.h>
+#include <biface/stepping/step_report.h>
 
 namespace Biface
 {

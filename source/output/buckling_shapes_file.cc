@@ -7,11 +7,12 @@
 #include <cmath>
 #include <limits>
 
+#include <biface/model/equations/shell_equations.h>
 #include <biface/output/buckling_file.h>
 #include <biface/output/buckling_shapes_file.h>
 #include <biface/output/csv.h>
 #include <biface/stepping/buckling.h>
-#include <biface/stepping/stage.h>
+#include <biface/stepping/step_report.h>
 #include <biface/surface/reference_surface.h>
 
 namespace Biface

@@ -4,11 +4,13 @@
 #include <string>
 
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/equations/shell_equations.h>
 #include <biface/model/quantities/face_stretch.h>
 #include <biface/model/state/loads.h>
 #include <biface/model/state/placed_body.h>
 #include <biface/output/contact_file.h>
 #include <biface/output/csv.h>
+#include <biface/stepping/step_report.h>
 #include <biface/surface/reference_surface.h>
 
 namespace Biface

@@ -7,9 +7,11 @@
 
 #include <biface/laminate/layup.h>
 #include <biface/laminate/material.h>
+#include <biface/model/equations/shell_equations.h>
 #include <biface/model/mesh/cell_maximum.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/output/failure_maxima.h>
+#include <biface/output/ply_results.h>
 #include <biface/output/result_file.h>
 #include <biface/surface/reference_surface.h>
 

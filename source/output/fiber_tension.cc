@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <biface/laminate/material.h>
+#include <biface/model/equations/shell_equations.h>
 #include <biface/model/mesh/cell_maximum.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/output/fiber_tension.h>

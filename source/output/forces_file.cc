@@ -4,6 +4,7 @@
 #include <biface/input/parameter_tools.h>
 #include <biface/output/csv.h>
 #include <biface/output/forces_file.h>
+#include <biface/stepping/step_report.h>
 
 namespace Biface
 {

@@ -3,11 +3,12 @@
 #include <string>
 
 #include <biface/laminate/layup.h>
+#include <biface/model/equations/shell_equations.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/output/csv.h>
 #include <biface/output/heat_file.h>
 #include <biface/output/rolling_file.h>
-#include <biface/stepping/stage.h>
+#include <biface/stepping/step_report.h>
 #include <biface/surface/reference_surface.h>
 
 namespace Biface

@@ -8,12 +8,15 @@
 #include <biface/contact/rigid_body.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/laminate/layup.h>
+#include <biface/model/equations/shell_equations.h>
 #include <biface/model/state/loads.h>
 #include <biface/model/time/inertia.h>
 #include <biface/output/csv.h>
 #include <biface/output/fiber_tension.h>
 #include <biface/output/history_file.h>
+#include <biface/output/ply_results.h>
 #include <biface/output/reaction_columns.h>
+#include <biface/stepping/step_report.h>
 #include <biface/surface/reference_surface.h>
 
 namespace Biface

@@ -5,11 +5,12 @@
 
 #include <biface/contact/rolling.h>
 #include <biface/laminate/layup.h>
+#include <biface/model/equations/shell_equations.h>
 #include <biface/model/state/loads.h>
 #include <biface/output/csv.h>
 #include <biface/output/hysteresis_file.h>
 #include <biface/output/rolling_file.h>
-#include <biface/stepping/stage.h>
+#include <biface/stepping/step_report.h>
 
 namespace Biface
 {

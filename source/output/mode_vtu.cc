@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <utility>
 
+#include <biface/model/equations/shell_equations.h>
 #include <biface/output/buckling_file.h>
 #include <biface/output/csv.h>
 #include <biface/output/mode_vtu.h>
 #include <biface/solver/modal_analysis.h>
 #include <biface/stepping/buckling.h>
 #include <biface/stepping/stage.h>
+#include <biface/stepping/step_report.h>
 
 namespace Biface
 {

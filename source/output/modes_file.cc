@@ -6,6 +6,7 @@
 #include <biface/output/modes_file.h>
 #include <biface/solver/modal_analysis.h>
 #include <biface/stepping/stage.h>
+#include <biface/stepping/step_report.h>
 
 namespace Biface
 {

@@ -9,11 +9,13 @@
 
 #include <biface/input/entry_declarations.h>
 #include <biface/laminate/layup.h>
+#include <biface/model/equations/shell_equations.h>
 #include <biface/model/mesh/named_points.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/output/csv.h>
 #include <biface/output/fiber_tension.h>
 #include <biface/output/plies_file.h>
+#include <biface/stepping/step_report.h>
 
 namespace Biface
 {

@@ -5,8 +5,10 @@
 
 #include <biface/input/entry_declarations.h>
 #include <biface/laminate/layup.h>
+#include <biface/model/equations/shell_equations.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/output/plies_vtu.h>
+#include <biface/stepping/step_report.h>
 
 namespace Biface
 {

@@ -7,6 +7,7 @@
 #include <biface/input/entry_declarations.h>
 #include <biface/laminate/failure_criteria.h>
 #include <biface/laminate/material.h>
+#include <biface/model/equations/shell_equations.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/output/fiber_tension.h>
 #include <biface/output/ply_results.h>

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <biface/model/equations/shell_equations.h>
 #include <biface/model/quantities/point_displacement.h>
 #include <biface/model/state/loads.h>
 #include <biface/output/csv.h>
 #include <biface/output/probes_file.h>
+#include <biface/stepping/step_report.h>
 
 namespace Biface
 {

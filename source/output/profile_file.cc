@@ -8,11 +8,13 @@
 
 #include <biface/input/entry_declarations.h>
 #include <biface/laminate/layup.h>
+#include <biface/model/equations/shell_equations.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/output/csv.h>
 #include <biface/output/fiber_tension.h>
 #include <biface/output/ply_results.h>
 #include <biface/output/profile_file.h>
+#include <biface/stepping/step_report.h>
 #include <biface/surface/reference_surface.h>
 
 namespace Biface

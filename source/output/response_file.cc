@@ -6,6 +6,7 @@
 #include <biface/output/response_file.h>
 #include <biface/solver/harmonic_response.h>
 #include <biface/stepping/stage.h>
+#include <biface/stepping/step_report.h>
 
 namespace Biface
 {

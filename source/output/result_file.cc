@@ -15,9 +15,12 @@
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/input/read_file.h>
+#include <biface/model/equations/shell_equations.h>
 #include <biface/output/atomic_file.h>
 #include <biface/output/csv.h>
 #include <biface/output/result_file.h>
+#include <biface/stepping/step_report.h>
+#include <biface/surface/reference_surface.h>
 
 #include <fcntl.h>
 #include <sys/file.h>

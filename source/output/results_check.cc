@@ -9,10 +9,12 @@
 #include <biface/input/parameter_tools.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/equations/shell_equations.h>
 #include <biface/model/quantities/worst_strains.h>
 #include <biface/model/state/loads.h>
 #include <biface/model/state/placed_body.h>
 #include <biface/output/results_check.h>
+#include <biface/stepping/step_report.h>
 
 namespace Biface
 {

@@ -5,6 +5,7 @@
 #include <biface/base/errors.h>
 #include <biface/base/version.h>
 #include <biface/input/entry_declarations.h>
+#include <biface/model/equations/shell_equations.h>
 #include <biface/output/buckling_file.h>
 #include <biface/output/buckling_shapes_file.h>
 #include <biface/output/contact_file.h>
@@ -20,7 +21,7 @@
 #include <biface/output/rolling_file.h>
 #include <biface/output/sensitivities_file.h>
 #include <biface/output/stiffness_file.h>
-#include <biface/stepping/stage.h>
+#include <biface/stepping/step_report.h>
 
 namespace Biface
 {

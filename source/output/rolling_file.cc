@@ -5,9 +5,11 @@
 #include <string>
 
 #include <biface/laminate/layup.h>
+#include <biface/model/equations/shell_equations.h>
 #include <biface/output/csv.h>
 #include <biface/output/rolling_file.h>
 #include <biface/stepping/stage.h>
+#include <biface/stepping/step_report.h>
 
 namespace Biface
 {

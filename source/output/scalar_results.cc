@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include <biface/base/errors.h>
+#include <biface/model/equations/shell_equations.h>
 #include <biface/model/quantities/point_displacement.h>
 #include <biface/output/scalar_results.h>
 #include <biface/solver/modal_analysis.h>

@@ -3,6 +3,7 @@
 #include <biface/output/csv.h>
 #include <biface/output/sensitivities_file.h>
 #include <biface/stepping/sensitivity_table.h>
+#include <biface/stepping/step_report.h>
 
 namespace Biface
 {

@@ -3,11 +3,13 @@
 #include <biface/input/entry_declarations.h>
 #include <biface/laminate/layup.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/equations/shell_equations.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/model/state/loads.h>
 #include <biface/model/state/placed_body.h>
 #include <biface/output/ply_results.h>
 #include <biface/output/shell_vtu.h>
+#include <biface/stepping/step_report.h>
 
 namespace Biface
 {

@@ -6,6 +6,7 @@
 #include <biface/output/csv.h>
 #include <biface/output/stiffness_file.h>
 #include <biface/stepping/stage.h>
+#include <biface/stepping/step_report.h>
 
 namespace Biface
 {

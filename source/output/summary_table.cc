@@ -9,9 +9,11 @@
 
 #include <biface/model/quantities/point_displacement.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/state.h>
 #include <biface/output/reaction_columns.h>
 #include <biface/output/summary_table.h>
 #include <biface/stepping/critical_point.h>
+#include <biface/stepping/step_report.h>
 
 namespace Biface
 {

@@ -6,6 +6,7 @@
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/problem/parameters.h>
+#include <biface/stepping/buckling.h>
 #include <biface/stepping/stage_sequence.h>
 
 namespace Biface

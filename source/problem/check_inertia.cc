@@ -7,7 +7,9 @@
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/problem/parameters.h>
+#include <biface/stepping/buckling.h>
 #include <biface/stepping/stage_sequence.h>
+#include <biface/stepping/stiffness_of_motions.h>
 
 namespace Biface
 {

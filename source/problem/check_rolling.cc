@@ -11,6 +11,7 @@
 #include <biface/contact/rolling.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/problem/parameters.h>
+#include <biface/stepping/buckling.h>
 #include <biface/stepping/stage_sequence.h>
 #include <biface/surface/reference_surface.h>
 
@@ -199,7 +200,7 @@ namespace Biface
             continue;
           }
         const Tensor<1, 3> &direction = contact.body.line.direction;
-        using Shape                   = RigidBody::Parameters::Shape;
+        using Shape                   = GroundParameters::Shape;
         if (contact.body.shape == Shape::sphere)
           throw InputError("the wheel rolls in stage " + std::to_string(i + 1) +
                            ", which needs 'Contact/Foundation = plane' or "

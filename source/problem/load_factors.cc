@@ -9,6 +9,7 @@
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/forces/dead_loads.h>
+#include <biface/model/mesh/rigid_motions.h>
 #include <biface/model/mesh/supports.h>
 #include <biface/problem/parameters.h>
 

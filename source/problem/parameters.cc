@@ -12,6 +12,7 @@
 #include <biface/laminate/relaxation.h>
 #include <biface/model/mesh/plies_on_surface.h>
 #include <biface/problem/parameters.h>
+#include <biface/restart/checkpoint.h>
 #include <biface/stepping/stage_sequence.h>
 #include <biface/surface/imperfection.h>
 #include <biface/surface/quadrilateral_mesh.h>

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <biface/base/errors.h>
+#include <biface/contact/contact_condition.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/problem/proportions.h>
 
@@ -109,8 +110,8 @@ namespace Biface
     void
     check_ground(const ContactParameters &contact, const ShellMesh &mesh)
     {
-      using Shape                         = RigidBody::Parameters::Shape;
-      const RigidBody::Parameters &ground = contact.body;
+      using Shape                    = GroundParameters::Shape;
+      const GroundParameters &ground = contact.body;
       if (ground.shape == Shape::plane)
         return;
       const bool is_drum = (ground.shape == Shape::drum);

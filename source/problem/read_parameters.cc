@@ -20,6 +20,7 @@
 #include <biface/input/read_file.h>
 #include <biface/problem/design_variable.h>
 #include <biface/problem/parameters.h>
+#include <biface/stepping/buckling.h>
 #include <biface/surface/imperfection.h>
 
 namespace Biface

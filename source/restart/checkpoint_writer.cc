@@ -3,6 +3,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <biface/input/entry_declarations.h>
+#include <biface/restart/checkpoint.h>
 #include <biface/restart/checkpoint_writer.h>
 
 namespace Biface
@@ -27,13 +28,13 @@ namespace Biface
   }
 
 
-  CheckpointWriter::CheckpointWriter(const Parameters              &parameters,
-                                     const std::string             &directory,
-                                     const ShellMesh               &mesh,
-                                     const Progress                &progress,
-                                     const std::function<Points()> &points,
-                                     ResultsWriter                 &results,
-                                     const bool                     restarted)
+  CheckpointWriter::CheckpointWriter(const Parameters  &parameters,
+                                     const std::string &directory,
+                                     const ShellMesh   &mesh,
+                                     const Progress    &progress,
+                                     const std::function<AllPoints()> &points,
+                                     ResultsWriter                    &results,
+                                     const bool restarted)
     : parameters(parameters)
     , directory(directory)
     , mesh(mesh)
@@ -68,8 +69,8 @@ namespace Biface
 
     // a restart finds at least the files of the checkpoint
     results.sync();
-    record.written   = results.get_written();
-    const Points now = points();
+    record.written      = results.get_written();
+    const AllPoints now = points();
     write_checkpoint(directory, record, mesh, now.run, now.perturbed);
     any_written = true;
     last_step   = progress.n_steps;

@@ -6,6 +6,7 @@
 
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/equations/shell_equations.h>
 #include <biface/model/equations/symmetry.h>
 #include <biface/model/mesh/rigid_motions.h>
 #include <biface/model/state/loads.h>

@@ -11,6 +11,7 @@
 #include <biface/contact/tangential_law.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/equations/shell_equations.h>
 #include <biface/model/equations/tangent_matrix.h>
 #include <biface/model/state/loads.h>
 #include <biface/model/state/placed_body.h>

@@ -6,6 +6,7 @@
 
 #include <biface/input/parameter_tools.h>
 #include <biface/model/contact/contact_interaction.h>
+#include <biface/model/equations/shell_equations.h>
 #include <biface/model/quantities/forces_on_shell.h>
 #include <biface/model/quantities/point_displacement.h>
 #include <biface/model/state/loads.h>

@@ -16,6 +16,7 @@
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/mass_matrix.h>
+#include <biface/model/equations/shell_equations.h>
 #include <biface/model/equations/velocity_matrix.h>
 #include <biface/model/forces/dependent_loads.h>
 #include <biface/model/mesh/rigid_motions.h>

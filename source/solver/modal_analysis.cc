@@ -13,6 +13,7 @@
 #include <biface/contact/rolling.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/equations/shell_equations.h>
 #include <biface/model/equations/symmetry.h>
 #include <biface/model/equations/velocity_matrix.h>
 #include <biface/model/mesh/rigid_motions.h>

@@ -4,7 +4,9 @@
 
 #include <biface/contact/rolling.h>
 #include <biface/model/contact/contact_interaction.h>
+#include <biface/model/heat/heat_of_plies.h>
 #include <biface/model/quantities/hysteresis.h>
+#include <biface/model/state/loads.h>
 #include <biface/stepping/attempt.h>
 #include <biface/stepping/stage_run.h>
 

@@ -6,6 +6,7 @@
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/forces/viscous_damping.h>
+#include <biface/model/state/loads.h>
 #include <biface/stepping/critical_point_search.h>
 #include <biface/stepping/stage_run.h>
 

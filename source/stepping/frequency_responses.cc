@@ -2,9 +2,11 @@
 
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/state/loads.h>
 #include <biface/model/state/placed_body.h>
 #include <biface/stepping/frequency_responses.h>
 #include <biface/stepping/stage_run.h>
+#include <biface/stepping/step_report.h>
 
 namespace Biface
 {

@@ -9,6 +9,7 @@
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/quantities/work.h>
 #include <biface/model/quantities/worst_strains.h>
+#include <biface/model/state/loads.h>
 #include <biface/stepping/attempt_in_time.h>
 #include <biface/stepping/branch_switching.h>
 #include <biface/stepping/friction_continuation.h>
@@ -22,7 +23,7 @@ namespace Biface
   using namespace dealii;
 
   void
-  LoadStepping::Parameters::add_parameters(EntryDeclarations &prm)
+  LoadSteppingParameters::add_parameters(EntryDeclarations &prm)
   {
     control.add_parameters(prm);
     prm.add_parameter("Predictor",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <biface/model/equations/shell_equations.h>
 #include <biface/model/quantities/forces_on_shell.h>
 #include <biface/model/state/loads.h>
 #include <biface/model/state/placed_body.h>

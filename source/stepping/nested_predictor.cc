@@ -7,6 +7,7 @@
 #include <biface/model/state/contact_points.h>
 #include <biface/model/state/state.h>
 #include <biface/stepping/nested_predictor.h>
+#include <biface/stepping/stage.h>
 #include <biface/stepping/stage_sequence.h>
 
 namespace Biface

@@ -10,8 +10,10 @@
 #include <biface/input/parameter_tools.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/mesh/strip.h>
+#include <biface/model/state/loads.h>
 #include <biface/stepping/rolling_report.h>
 #include <biface/stepping/stage_run.h>
+#include <biface/stepping/step_report.h>
 #include <biface/stepping/wheel_motion.h>
 
 namespace Biface

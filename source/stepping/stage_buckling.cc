@@ -5,6 +5,7 @@
 #include <biface/stepping/buckling_start.h>
 #include <biface/stepping/stage_buckling.h>
 #include <biface/stepping/stage_run.h>
+#include <biface/stepping/step_report.h>
 
 namespace Biface
 {

@@ -3,6 +3,7 @@
 #include <biface/model/mesh/rigid_motions.h>
 #include <biface/stepping/stage_modes.h>
 #include <biface/stepping/stage_run.h>
+#include <biface/stepping/step_report.h>
 
 namespace Biface
 {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <biface/base/errors.h>
+#include <biface/model/equations/shell_equations.h>
 #include <biface/model/mesh/supports.h>
 #include <biface/model/state/loads.h>
 #include <biface/stepping/stage_motion.h>

@@ -5,6 +5,7 @@
 #include <biface/model/contact/contact_summary.h>
 #include <biface/model/quantities/footprint.h>
 #include <biface/model/quantities/forces_on_shell.h>
+#include <biface/model/state/loads.h>
 #include <biface/model/state/placed_body.h>
 #include <biface/stepping/step_reporting.h>
 #include <biface/stepping/stiffness_of_motions.h>

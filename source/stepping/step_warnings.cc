@@ -9,8 +9,10 @@
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/quantities/penetration_between_points.h>
+#include <biface/model/state/loads.h>
 #include <biface/solver/active_set_iteration.h>
 #include <biface/stepping/stage_run.h>
+#include <biface/stepping/step_report.h>
 #include <biface/stepping/step_warnings.h>
 #include <biface/surface/reference_surface.h>
 

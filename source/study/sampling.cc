@@ -10,6 +10,7 @@
 #include <biface/base/errors.h>
 #include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/solver/linear/eigenpairs.h>
 #include <biface/study/sampling.h>
 
 namespace Biface

@@ -17,6 +17,7 @@
 #include <biface/input/entry_declarations.h>
 #include <biface/problem/parameters.h>
 #include <biface/program/program.h>
+#include <biface/stepping/stiffness_of_motions.h>
 
 #include "../tests.h"
 #include <boost/property_tree/json_parser.hpp>

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <biface/stepping/step_report.h>
+
 #include "../run_analysis.h"
 
 /** Run the shipped bias tire with some entries changed.

@@ -5,7 +5,9 @@
 // axle and 40 mm behind it; and pressed by a plane that is a body, or by one
 // that moves with the ground, it has the force that the ground has.
 
+#include <biface/contact/rigid_body.h>
 #include <biface/model/state/loads.h>
+#include <biface/stepping/step_report.h>
 
 #include "../model/forces.h"
 

@@ -6,6 +6,7 @@
 // slips everywhere, and the force is the coefficient times the vertical one.
 
 #include <biface/model/quantities/forces_on_shell.h>
+#include <biface/stepping/step_report.h>
 
 #include "../tests.h"
 #include "bias_tire.h"

@@ -6,6 +6,7 @@
 // a bias tire couples the two), longitudinal and torsional.
 
 #include <biface/model/quantities/forces_on_shell.h>
+#include <biface/stepping/step_report.h>
 
 #include "../tests.h"
 #include "bias_tire.h"

@@ -4,6 +4,8 @@
 // slips, and slid back, in large steps of which none is halved, in few
 // iterations.
 
+#include <biface/stepping/step_report.h>
+
 #include "../tests.h"
 #include "bias_tire.h"
 

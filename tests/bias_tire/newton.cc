@@ -5,6 +5,8 @@
 // quadratically; the substituted iteration gives the same force.
 
 
+#include <biface/stepping/step_report.h>
+
 #include "../tests.h"
 #include "bias_tire.h"
 

@@ -11,6 +11,8 @@
 #include <iostream>
 #include <map>
 
+#include <biface/stepping/step_report.h>
+
 #include "../tests.h"
 #include "bias_tire.h"
 

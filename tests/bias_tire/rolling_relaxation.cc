@@ -6,6 +6,7 @@
 
 
 #include <biface/input/parameter_tools.h>
+#include <biface/stepping/step_report.h>
 
 #include "../tests.h"
 #include "bias_tire.h"

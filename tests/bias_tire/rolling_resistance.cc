@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include <biface/stepping/step_report.h>
+
 #include "../tests.h"
 #include "bias_tire.h"
 

@@ -9,6 +9,8 @@
 #include <iostream>
 #include <map>
 
+#include <biface/stepping/step_report.h>
+
 #include "../tests.h"
 #include "bias_tire.h"
 

@@ -6,8 +6,10 @@
 // integral of the pressure; where they slip around it, the moment about the
 // axis is that times the radius of the drum.
 
+#include <biface/contact/rigid_body.h>
 #include <biface/model/quantities/forces_on_shell.h>
 #include <biface/model/state/loads.h>
+#include <biface/stepping/step_report.h>
 
 #include "../run_analysis.h"
 #include "../tests.h"

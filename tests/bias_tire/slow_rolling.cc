@@ -10,6 +10,7 @@
 #include <biface/input/parameter_tools.h>
 #include <biface/model/quantities/forces_on_shell.h>
 #include <biface/model/quantities/rolling_summary.h>
+#include <biface/stepping/step_report.h>
 
 #include "../tests.h"
 #include "bias_tire.h"

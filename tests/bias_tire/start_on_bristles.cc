@@ -5,6 +5,7 @@
 // coefficients.
 
 #include <biface/model/quantities/rolling_summary.h>
+#include <biface/stepping/step_report.h>
 
 #include "../tests.h"
 #include "bias_tire.h"

@@ -8,6 +8,8 @@
 
 #include <map>
 
+#include <biface/stepping/step_report.h>
+
 #include "../tests.h"
 #include "bias_tire.h"
 

@@ -8,6 +8,8 @@
 #include <iomanip>
 
 #include <biface/contact/bristles.h>
+#include <biface/contact/contact_condition_parameters.h>
+#include <biface/contact/ground_parameters.h>
 #include <biface/contact/rolling.h>
 
 #include <tests.h>

@@ -6,6 +6,7 @@
 // is that of the clearance, the sign of the clearance decides.
 
 #include <biface/contact/contact_condition.h>
+#include <biface/contact/contact_condition_parameters.h>
 
 #include <tests.h>
 

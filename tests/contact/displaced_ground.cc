@@ -7,6 +7,7 @@
 
 #include <deal.II/physics/transformations.h>
 
+#include <biface/contact/ground_parameters.h>
 #include <biface/contact/rigid_body.h>
 
 #include <tests.h>

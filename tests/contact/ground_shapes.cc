@@ -6,6 +6,7 @@
 // touches it. With a huge radius all agree with a plane to the last digits.
 
 #include <biface/contact/body_shapes.h>
+#include <biface/contact/ground_parameters.h>
 #include <biface/contact/rigid_body.h>
 
 #include <tests.h>

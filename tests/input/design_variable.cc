@@ -10,6 +10,7 @@
 
 #include <biface/base/errors.h>
 #include <biface/problem/design_variable.h>
+#include <biface/problem/parameters.h>
 
 using namespace dealii;
 using namespace Biface;

@@ -16,6 +16,8 @@
 #include <biface/input/formula.h>
 #include <biface/model/state/loads.h>
 #include <biface/problem/design_variable.h>
+#include <biface/problem/parameters.h>
+#include <biface/stepping/step_report.h>
 
 #include <run_analysis.h>
 #include <tests.h>

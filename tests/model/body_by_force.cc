@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include <biface/stepping/step_report.h>
+
 #include "forces.h"
 #include "press_fit.h"
 

@@ -8,6 +8,7 @@
 #include <iomanip>
 
 #include <biface/model/quantities/rolling_summary.h>
+#include <biface/stepping/step_report.h>
 
 #include "forces.h"
 

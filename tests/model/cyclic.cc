@@ -5,6 +5,8 @@
 // quarter of a cylinder whose load repeats four times; for both distributions
 // of the mesh, with every kind of solver, and starting from coarser meshes.
 
+#include <biface/stepping/step_report.h>
+
 #include "forces.h"
 
 using namespace dealii;

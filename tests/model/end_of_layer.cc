@@ -3,6 +3,8 @@
 // A layer of almost no stiffness that ends midway changes nothing in the
 // bending of a strip of two layers, on whatever face the reference surface is.
 
+#include <biface/stepping/step_report.h>
+
 #include "../run_analysis.h"
 #include "../tests.h"
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <biface/model/quantities/forces_on_shell.h>
+#include <biface/stepping/step_report.h>
 
 #include "../run_analysis.h"
 #include "../tests.h"

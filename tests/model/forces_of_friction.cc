@@ -4,6 +4,8 @@
 // mortar matrices, the forces and moments on a tire are in balance, and that
 // of the ground along its direction is the force of the history.
 
+#include <biface/stepping/step_report.h>
+
 #include "forces.h"
 
 using namespace dealii;

@@ -5,6 +5,8 @@
 // interpolation of rigid motions is small, of second order in the size of the
 // cells.
 
+#include <biface/stepping/step_report.h>
+
 #include "forces.h"
 
 using namespace dealii;

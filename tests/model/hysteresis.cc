@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include <biface/laminate/layup.h>
+#include <biface/model/equations/shell_equations.h>
 #include <biface/model/mesh/named_points.h>
 #include <biface/model/mesh/supports.h>
 #include <biface/model/quantities/cyclic_loss.h>

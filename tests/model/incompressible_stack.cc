@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include <biface/solver/modal_analysis.h>
+#include <biface/stepping/step_report.h>
 
 #include "../run_analysis.h"
 #include "../tests.h"

@@ -13,6 +13,7 @@
 #include <fstream>
 
 #include <biface/model/quantities/forces_on_shell.h>
+#include <biface/stepping/step_report.h>
 
 #include "../irregular_mesh.h"
 #include "../run_analysis.h"

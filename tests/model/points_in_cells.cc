@@ -7,6 +7,8 @@
 #include <cmath>
 #include <string>
 
+#include <biface/stepping/step_report.h>
+
 #include "forces.h"
 
 using namespace Biface;

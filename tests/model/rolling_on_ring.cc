@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include <biface/stepping/step_report.h>
+
 #include "forces.h"
 #include "rolling_wheel.h"
 

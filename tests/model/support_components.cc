@@ -5,6 +5,8 @@
 // with forces along their components only, a displacement is controlled in the
 // radial direction, and equations that follow from others hold nothing more.
 
+#include <biface/stepping/step_report.h>
+
 #include "forces.h"
 
 using namespace dealii;

@@ -15,6 +15,7 @@
 #include <biface/model/state/placed_body.h>
 #include <biface/problem/parameters.h>
 #include <biface/problem/shell_model.h>
+#include <biface/solver/linear/eigenpairs.h>
 #include <biface/solver/linear/make_linear_solver.h>
 #include <biface/solver/newton.h>
 

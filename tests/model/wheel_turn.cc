@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include <biface/model/equations/shell_equations.h>
 #include <biface/model/quantities/forces_on_shell.h>
 
 #include "rolling_wheel.h"

@@ -6,6 +6,8 @@
 
 #include <vector>
 
+#include <biface/stepping/step_report.h>
+
 #include "../run_analysis.h"
 #include "../tests.h"
 

@@ -9,8 +9,10 @@
 #include <map>
 #include <sstream>
 
+#include <biface/model/equations/shell_equations.h>
 #include <biface/model/state/loads.h>
 #include <biface/output/shell_vtu.h>
+#include <biface/stepping/step_report.h>
 
 #include "../model/rolling_wheel.h"
 

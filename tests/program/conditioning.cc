@@ -10,6 +10,8 @@
 #include <cmath>
 #include <iomanip>
 
+#include <biface/stepping/step_report.h>
+
 #include "../run_analysis.h"
 #include <tests.h>
 

@@ -4,6 +4,8 @@
 // carries the pressure in the tube, and its edges pass through the nodes
 // without jumps, on three meshes.
 
+#include <biface/stepping/step_report.h>
+
 #include "../run_analysis.h"
 #include "../tests.h"
 

@@ -3,6 +3,8 @@
 // The footprint of a tube under pressure on a drum has the length, the area,
 // the force and the contact pressure of an inextensible membrane.
 
+#include <biface/stepping/step_report.h>
+
 #include "../run_analysis.h"
 #include "../tests.h"
 

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <sstream>
 
+#include <biface/model/state/state.h>
 #include <biface/solver/modal_analysis.h>
 #include <biface/stepping/buckling.h>
 #include <biface/stepping/sensitivity_table.h>

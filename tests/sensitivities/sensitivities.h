@@ -14,6 +14,7 @@
 #include <vector>
 
 #include <biface/problem/design_variable.h>
+#include <biface/problem/parameters.h>
 #include <biface/stepping/sensitivity_table.h>
 
 #include <run_analysis.h>

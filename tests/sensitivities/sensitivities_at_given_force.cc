@@ -11,6 +11,7 @@
 #include "sensitivities.h"
 #include <tests.h>
 
+
 int
 main(int argc, char **argv)
 {

@@ -5,6 +5,8 @@
 // of whole runs, and nothing depends on the unit of the motion, without and
 // with friction, at nodes and points in cells.
 
+#include <biface/problem/parameters.h>
+
 #include "sensitivities.h"
 #include <tests.h>
 

@@ -7,6 +7,7 @@
 
 #include "sensitivities.h"
 
+
 int
 main(int argc, char **argv)
 {

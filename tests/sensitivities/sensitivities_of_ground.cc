@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include <biface/problem/parameters.h>
+
 #include "sensitivities.h"
 
 

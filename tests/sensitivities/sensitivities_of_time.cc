@@ -10,8 +10,11 @@
 #include <string>
 #include <vector>
 
+#include <biface/problem/parameters.h>
+
 #include "sensitivities.h"
 #include <tests.h>
+
 
 namespace
 {

@@ -10,6 +10,9 @@
 #include <string>
 #include <vector>
 
+#include <biface/problem/parameters.h>
+#include <biface/stepping/buckling.h>
+
 #include "sensitivities.h"
 
 

@@ -12,6 +12,7 @@
 #include <biface/model/equations/mass_matrix.h>
 #include <biface/model/state/loads.h>
 #include <biface/problem/shell_model.h>
+#include <biface/solver/linear/eigenpairs.h>
 #include <biface/solver/linear/mumps_solver.h>
 #include <biface/solver/newton.h>
 

@@ -3,6 +3,7 @@
 // Adaptive load steps reach the same end as equal ones, in fewer steps.
 
 #include <biface/model/state/loads.h>
+#include <biface/stepping/step_report.h>
 
 #include "../run_analysis.h"
 #include "../tests.h"

@@ -7,6 +7,7 @@
 #include "../bias_tire/bias_tire.h"
 #include <tests.h>
 
+
 using namespace dealii;
 using namespace Biface;
 

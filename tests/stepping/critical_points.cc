@@ -10,6 +10,7 @@
 
 #include <iomanip>
 
+#include <biface/model/equations/shell_equations.h>
 #include <biface/stepping/buckling.h>
 #include <biface/stepping/critical_point.h>
 

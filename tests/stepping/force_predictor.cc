@@ -4,6 +4,8 @@
 // and there are no more of them than without predictor.
 
 
+#include <biface/stepping/step_report.h>
+
 #include "../run_analysis.h"
 #include "../tests.h"
 

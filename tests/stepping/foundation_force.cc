@@ -5,6 +5,7 @@
 // adapt.
 
 #include <biface/output/csv.h>
+#include <biface/stepping/step_report.h>
 
 #include "../bias_tire/bias_tire.h"
 #include "../tests.h"

@@ -4,6 +4,8 @@
 // that the ground passes through are named once.
 
 
+#include <biface/stepping/step_report.h>
+
 #include "../run_analysis.h"
 #include "../tests.h"
 

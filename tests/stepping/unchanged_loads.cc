@@ -3,6 +3,7 @@
 // A stage that says nothing of pressure, load factor or travel keeps them.
 
 #include <biface/model/state/loads.h>
+#include <biface/stepping/step_report.h>
 
 #include "../bias_tire/bias_tire.h"
 #include "../tests.h"

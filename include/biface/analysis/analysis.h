@@ -15,13 +15,16 @@
 #include <biface/analysis/exit_code.h>
 #include <biface/analysis/run_log.h>
 #include <biface/analysis/signal_watch.h>
-#include <biface/analysis/simulation.h>
 #include <biface/problem/parameters.h>
 #include <biface/stepping/nested_predictor.h>
 #include <biface/stepping/step_report.h>
 
 namespace Biface
 {
+  class Simulation;
+  struct State;
+
+
   /** What an analysis is to do besides its parameters. */
   struct AnalysisOptions
   {

@@ -9,7 +9,6 @@
 #include <iosfwd>
 #include <memory>
 
-#include <biface/model/equations/shell_equations.h>
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/state/state.h>
 #include <biface/problem/parameters.h>
@@ -22,6 +21,7 @@
 namespace Biface
 {
   class SensitivityAnalysis;
+  class ShellEquations;
 
 
   /**

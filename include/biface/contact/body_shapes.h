@@ -13,7 +13,9 @@
 namespace Biface
 {
   class BodySection;
-  class EntryDeclarations;
+  struct DrumParameters;
+  struct SphereParameters;
+  struct TravelLine;
 
 
   /** The geometry of a body at a point near it. */
@@ -42,18 +44,9 @@ namespace Biface
   class BodyShape
   {
   public:
-    /** The line along which a ground travels. */
-    struct TravelLine
-    {
-      /** The direction from the shell toward the ground, which travels
-       * against it; any nonzero vector. */
-      dealii::Tensor<1, 3> direction{{1, 0, 0}};
-      dealii::Point<3>     point;
-    };
+    using TravelLine = Biface::TravelLine;
 
-    explicit BodyShape(const TravelLine &line)
-      : direction(line.direction / line.direction.norm()), point(line.point)
-    {}
+    explicit BodyShape(const TravelLine &line);
 
     virtual ~BodyShape() = default;
 
@@ -114,14 +107,7 @@ namespace Biface
   class RigidSphere : public BodyShape
   {
   public:
-    struct Parameters
-    {
-      /** The radius; it must be set if the ground is a sphere. */
-      std::optional<double> radius;
-
-      void
-      add_parameters(EntryDeclarations &prm);
-    };
+    using Parameters = SphereParameters;
 
     /** Throws InputError if the parameters are invalid. */
     RigidSphere(const TravelLine &line, const Parameters &parameters);
@@ -148,15 +134,7 @@ namespace Biface
   class RigidDrum : public BodyShape
   {
   public:
-    struct Parameters
-    {
-      /** The radius; it must be set if the ground is a drum. */
-      std::optional<double> radius;
-      dealii::Tensor<1, 3>  axis{{0, 1, 0}};
-
-      void
-      add_parameters(EntryDeclarations &prm);
-    };
+    using Parameters = DrumParameters;
 
     /** Throws InputError if the parameters are invalid. */
     RigidDrum(const TravelLine &line, const Parameters &parameters);

@@ -14,12 +14,12 @@
 #include <utility>
 #include <vector>
 
-#include <biface/contact/body_motion.h>
 #include <biface/contact/body_shapes.h>
 
 namespace Biface
 {
-  class EntryDeclarations;
+  struct BodyMotion;
+  struct GroundParameters;
 
 
   /**
@@ -31,28 +31,7 @@ namespace Biface
   class RigidBody
   {
   public:
-    /** The ground on which the shell is pressed. */
-    struct Parameters
-    {
-      enum class Shape
-      {
-        plane,
-        drum,
-        sphere
-      };
-
-      Shape                   shape = Shape::plane;
-      BodyShape::TravelLine   line;
-      RigidDrum::Parameters   drum;
-      RigidSphere::Parameters sphere;
-
-      void
-      add_parameters(EntryDeclarations &prm);
-
-      /** Throws InputError if a value is invalid. */
-      void
-      check() const;
-    };
+    using Parameters = GroundParameters;
 
     /** The ground at zero travel. Throws InputError if the parameters are
      * invalid. */
@@ -254,11 +233,7 @@ namespace Biface
       /** The rate of the factor, see RigidBody::velocity(). */
       double
       rate(const double                                     travel,
-           const std::function<double(const unsigned int)> &rate_of) const
-      {
-        return factor == BodyMotion::travel_of_ground ? travel
-                                                      : rate_of(factor);
-      }
+           const std::function<double(const unsigned int)> &rate_of) const;
     };
 
     std::shared_ptr<const BodyShape> shape;

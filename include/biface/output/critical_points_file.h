@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <biface/output/result_file.h>
+#include <biface/stepping/step_report.h>
 
 namespace Biface
 {

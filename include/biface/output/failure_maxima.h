@@ -8,11 +8,13 @@
 #include <string>
 #include <vector>
 
-#include <biface/model/equations/shell_equations.h>
-#include <biface/output/ply_results.h>
-
 namespace Biface
 {
+  struct FailureCriteria;
+  class ShellEquations;
+  struct State;
+
+
   /** The maximum of a failure index over the shell. */
   struct FailureMaximum
   {

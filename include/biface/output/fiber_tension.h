@@ -10,10 +10,13 @@
 #include <biface/laminate/laminate.h>
 #include <biface/laminate/layup.h>
 #include <biface/laminate/resultants.h>
-#include <biface/model/equations/shell_equations.h>
 
 namespace Biface
 {
+  class ShellEquations;
+  struct State;
+
+
   /** The force per undeformed area along the fibers divided by the second
    * Piola-Kirchhoff stress, at a strain along them: the stretch; 1 in a linear
    * law, which is one for small strains. */

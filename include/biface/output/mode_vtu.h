@@ -8,9 +8,11 @@
 
 #include <biface/output/shell_vtu.h>
 #include <biface/output/vtu_series.h>
+#include <biface/stepping/step_report.h>
 
 namespace Biface
 {
+  class ShellMesh;
   struct Stage;
 
 

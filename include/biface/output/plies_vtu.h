@@ -3,13 +3,13 @@
 #ifndef biface_output_plies_vtu_h
 #define biface_output_plies_vtu_h
 
-#include <biface/model/heat/heat_of_plies.h>
 #include <biface/output/ply_results.h>
 #include <biface/output/vtu_series.h>
 
 namespace Biface
 {
   class EntryDeclarations;
+  struct HeatOfPlies;
 
 
   /**

@@ -15,11 +15,12 @@
 #include <biface/laminate/interlaminar_shear.h>
 #include <biface/laminate/layup.h>
 #include <biface/laminate/resultants.h>
-#include <biface/model/equations/shell_equations.h>
 
 namespace Biface
 {
   class EntryDeclarations;
+  class ShellEquations;
+  struct State;
 
 
   /** A failure criterion. */

@@ -10,13 +10,17 @@
 #include <string>
 #include <vector>
 
-#include <biface/model/equations/shell_equations.h>
 #include <biface/output/units.h>
-#include <biface/stepping/step_report.h>
-#include <biface/surface/reference_surface.h>
 
 namespace Biface
 {
+  struct Node;
+  class ReferenceSurface;
+  class ShellEquations;
+  struct State;
+  struct StepReport;
+
+
   /** The directory of the files of results. It belongs to this object as long
    * as that exists: a second run in it is refused, also that of another
    * program. All functions must be called on all ranks. */

@@ -9,11 +9,14 @@
 #include <utility>
 #include <vector>
 
-#include <biface/model/equations/shell_equations.h>
-#include <biface/stepping/step_report.h>
-
 namespace Biface
 {
+  struct Loads;
+  class ShellEquations;
+  struct State;
+  struct StepReport;
+
+
   /**
    * What an engineer checks before results are used: whether the force on the
    * ground is plausible, whether the mesh resolves the footprint, and

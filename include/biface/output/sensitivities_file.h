@@ -5,6 +5,7 @@
 
 
 #include <biface/output/result_file.h>
+#include <biface/stepping/step_report.h>
 
 namespace Biface
 {

@@ -12,6 +12,7 @@
 namespace Biface
 {
   class EntryDeclarations;
+  struct Loads;
 
 
   /**

@@ -10,10 +10,13 @@
 #include <biface/model/mesh/named_points.h>
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/output/failure_maxima.h>
-#include <biface/stepping/step_report.h>
 
 namespace Biface
 {
+  struct State;
+  struct StepReport;
+
+
   /** The table at the end of a run: a line per step. */
   class SummaryTable
   {

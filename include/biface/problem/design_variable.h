@@ -7,10 +7,12 @@
 #include <vector>
 
 #include <biface/input/parameter_text.h>
-#include <biface/problem/parameters.h>
 
 namespace Biface
 {
+  struct Override;
+
+
   /**
    * A design variable: one or several numbers of a parameter file that vary
    * together. It is described by the text

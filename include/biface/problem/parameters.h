@@ -29,7 +29,8 @@
 #include <biface/restart/checkpoint_writer.h>
 #include <biface/solver/linear/linear_solver.h>
 #include <biface/solver/newton.h>
-#include <biface/stepping/load_stepping.h>
+#include <biface/stepping/load_stepping_parameters.h>
+#include <biface/stepping/stage.h>
 #include <biface/surface/chart_grid.h>
 #include <biface/surface/grid_parameters.h>
 #include <biface/surface/reference_surface.h>
@@ -70,7 +71,7 @@ namespace Biface
     unsigned int                 first_rig_point = 0;
     LinearSolver::Parameters     linear_solver;
     Newton::Parameters           newton;
-    LoadStepping::Parameters     load_stepping;
+    LoadSteppingParameters       load_stepping;
     ResultsWriter::Parameters    output;
     CheckpointWriter::Parameters checkpoint;
     SensitivityParameters        sensitivities;

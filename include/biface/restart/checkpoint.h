@@ -17,6 +17,7 @@
 #include <biface/output/summary_table.h>
 #include <biface/restart/checkpoint_file.h>
 #include <biface/stepping/restore_point.h>
+#include <biface/stepping/stage.h>
 
 namespace Biface
 {

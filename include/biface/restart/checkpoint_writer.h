@@ -8,12 +8,14 @@
 #include <functional>
 #include <string>
 
-#include <biface/output/results_writer.h>
-#include <biface/restart/checkpoint.h>
-
 namespace Biface
 {
+  struct AllPoints;
   class EntryDeclarations;
+  struct Progress;
+  class ResultsWriter;
+  struct RunRecord;
+  class ShellMesh;
 
 
   /** Decides when checkpoints are written to the directory of results. All
@@ -30,26 +32,19 @@ namespace Biface
       add_parameters(EntryDeclarations &prm);
     };
 
-    /** The state of the run after the last converged step. */
-    struct Points
-    {
-      RestorePoints   run;
-      PerturbedPoints perturbed;
-    };
-
     /**
      * The objects are kept by reference.
      * @param progress that of the run, as the last converged step leaves it.
      * @param points returns what a checkpoint contains.
      * @param restarted whether a checkpoint of the last step exists.
      */
-    CheckpointWriter(const Parameters              &parameters,
-                     const std::string             &directory,
-                     const ShellMesh               &mesh,
-                     const Progress                &progress,
-                     const std::function<Points()> &points,
-                     ResultsWriter                 &results,
-                     const bool                     restarted);
+    CheckpointWriter(const Parameters                 &parameters,
+                     const std::string                &directory,
+                     const ShellMesh                  &mesh,
+                     const Progress                   &progress,
+                     const std::function<AllPoints()> &points,
+                     ResultsWriter                    &results,
+                     const bool                        restarted);
 
     /** Write a checkpoint if one is due. Throws OutputError. */
     void
@@ -61,12 +56,12 @@ namespace Biface
     write(RunRecord &record);
 
   private:
-    const Parameters              parameters;
-    const std::string             directory;
-    const ShellMesh              &mesh;
-    const Progress               &progress;
-    const std::function<Points()> points;
-    ResultsWriter                &results;
+    const Parameters                 parameters;
+    const std::string                directory;
+    const ShellMesh                 &mesh;
+    const Progress                  &progress;
+    const std::function<AllPoints()> points;
+    ResultsWriter                   &results;
 
     bool          any_written = false;
     unsigned int  last_step   = 0;

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
-#include <biface/model/equations/shell_equations.h>
 #include <biface/model/mesh/wave_numbers.h>
 #include <biface/solver/fixed_contact_tangent.h>
 #include <biface/solver/linear/eigenpairs.h>
@@ -18,6 +17,13 @@
 
 namespace Biface
 {
+  class ContactInteraction;
+  struct LoadRates;
+  struct Loads;
+  class ShellEquations;
+  struct State;
+
+
   /** A shape in which the shell buckles. */
   struct BucklingMode
   {

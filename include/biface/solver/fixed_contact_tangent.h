@@ -10,13 +10,16 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
-#include <biface/model/equations/shell_equations.h>
 #include <biface/model/mesh/rigid_motions.h>
 
 namespace Biface
 {
   class ContactInteraction;
   class ContactPair;
+  struct Loads;
+  class ShellEquations;
+  class ShellMesh;
+  struct State;
   class TangentMatrix;
 
 

@@ -16,8 +16,8 @@
 
 #include <biface/base/linear_algebra.h>
 #include <biface/model/air/air_column.h>
-#include <biface/model/equations/shell_equations.h>
-#include <biface/model/state/step_in_time.h>
+#include <biface/model/state/damping_in_time.h>
+#include <biface/model/state/state.h>
 
 namespace Biface
 {
@@ -25,6 +25,8 @@ namespace Biface
   class ContactInteraction;
   struct Loads;
   struct LossOfMaterial;
+  class ShellEquations;
+  class ShellMesh;
   class VelocityMatrix;
 
 

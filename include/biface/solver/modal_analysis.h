@@ -14,7 +14,6 @@
 #include <biface/base/linear_algebra.h>
 #include <biface/model/air/air_column.h>
 #include <biface/model/equations/mass_matrix.h>
-#include <biface/model/equations/shell_equations.h>
 #include <biface/model/mesh/wave_numbers.h>
 #include <biface/solver/fixed_contact_tangent.h>
 #include <biface/solver/linear/eigenpairs.h>
@@ -22,6 +21,11 @@
 
 namespace Biface
 {
+  struct Loads;
+  class ShellEquations;
+  struct State;
+
+
   /** A mode of free vibration, @f$\mathbf V(t)=\mathbf V_0+
    * \Re(\boldsymbol\varphi\,e^{i\omega t})@f$. */
   struct VibrationMode

@@ -8,12 +8,12 @@
 #include <biface/model/equations/equation_system.h>
 #include <biface/model/state/state.h>
 #include <biface/solver/newton.h>
-#include <biface/stepping/controls/control.h>
 #include <biface/stepping/load_level.h>
 
 namespace Biface
 {
   class ContactLaws;
+  struct ControlTrial;
   class StageRun;
 
 
@@ -54,7 +54,7 @@ namespace Biface
   Attempt
   attempt_step(Newton               &newton,
                const StageRun       &run,
-               const Control::Trial &trial,
+               const ControlTrial   &trial,
                const InitialGuess   &guess,
                const NewtonIteration iteration,
                const ContactLaws    &laws);
@@ -63,7 +63,7 @@ namespace Biface
   Attempt
   attempt_step(Newton               &newton,
                const StageRun       &run,
-               const Control::Trial &trial,
+               const ControlTrial   &trial,
                const InitialGuess   &guess,
                const NewtonIteration iteration);
 } // namespace Biface

@@ -11,6 +11,7 @@
 
 namespace Biface
 {
+  struct ControlTrial;
   struct StepInTime;
 
 
@@ -18,9 +19,9 @@ namespace Biface
    * @param newton one that knows nothing of contact, which has no active set in
    * time. */
   Attempt
-  attempt_step_in_time(Newton               &newton,
-                       const StageRun       &run,
-                       const Control::Trial &trial);
+  attempt_step_in_time(Newton             &newton,
+                       const StageRun     &run,
+                       const ControlTrial &trial);
 
   /** The forces on the nodes over the step of a converged attempt. */
   std::shared_ptr<const NodalForces>

@@ -11,6 +11,9 @@
 
 namespace Biface
 {
+  struct ControlTrial;
+
+
   /** Attempt a step to the other branch at the bifurcation where the last step
    * ended, see Progress::branch.
    * @param trial the next step; that to the branch if it is found.
@@ -18,7 +21,7 @@ namespace Biface
   std::optional<Attempt>
   attempt_other_branch(Newton                     &newton,
                        const StageRun             &run,
-                       Control::Trial             &trial,
+                       ControlTrial               &trial,
                        dealii::ConditionalOStream &out);
 } // namespace Biface
 

@@ -15,6 +15,9 @@
 
 namespace Biface
 {
+  struct ControlTrial;
+
+
   /** Finds the critical points that a step passes, by the numbers of negative
    * pivots of the tangent at its start and end, see CriticalPoints. */
   class CriticalPointSearch
@@ -57,11 +60,11 @@ namespace Biface
      * @return the part of the step that is left.
      */
     double
-    bisect(const StageRun                                       &run,
-           const std::function<Attempt(const Control::Trial &)> &attempt_step,
-           Control::Trial                                       &trial,
-           Attempt                                              &attempt,
-           PivotCounts                                          &n_negative);
+    bisect(const StageRun                                     &run,
+           const std::function<Attempt(const ControlTrial &)> &attempt_step,
+           ControlTrial                                       &trial,
+           Attempt                                            &attempt,
+           PivotCounts                                        &n_negative);
 
     /** Describe and print the critical point of the last step, and note a
      * branch that the next one is to take.

@@ -9,6 +9,9 @@
 
 namespace Biface
 {
+  struct ControlTrial;
+
+
   /** The last attempt at a step of a wheel that rolls with friction, from the
    * last converged state: with easier laws of friction, from one to the next,
    * up to the given one. These are larger critical velocities, for which
@@ -19,7 +22,7 @@ namespace Biface
   Attempt
   attempt_with_easier_friction(Newton                     &newton,
                                const StageRun             &run,
-                               const Control::Trial       &trial,
+                               const ControlTrial         &trial,
                                const Attempt              &failed,
                                dealii::ConditionalOStream &out);
 } // namespace Biface

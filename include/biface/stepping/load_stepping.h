@@ -11,23 +11,27 @@
 #include <variant>
 #include <vector>
 
-#include <biface/model/equations/shell_equations.h>
 #include <biface/model/heat/rolling_heat.h>
 #include <biface/model/quantities/worst_strains.h>
 #include <biface/solver/failure.h>
 #include <biface/solver/newton.h>
 #include <biface/stepping/attempt.h>
 #include <biface/stepping/critical_point_search.h>
+#include <biface/stepping/load_stepping_parameters.h>
 #include <biface/stepping/nested_predictor.h>
 #include <biface/stepping/progress.h>
 #include <biface/stepping/restore_point.h>
-#include <biface/stepping/stage.h>
 #include <biface/stepping/stage_analysis.h>
-#include <biface/stepping/step_report.h>
 
 namespace Biface
 {
+  struct ControlTrial;
   class EntryDeclarations;
+  class RollingHeat;
+  class ShellEquations;
+  struct Stage;
+  class StageRun;
+  struct StepReport;
 
 
   /** The result of all stages. */
@@ -67,16 +71,7 @@ namespace Biface
   class LoadStepping
   {
   public:
-    struct Parameters
-    {
-      Control::Parameters control;
-      bool                predict = true;
-      /** The stage after which the run ends; the last one at the latest. */
-      unsigned int last_stage = dealii::numbers::invalid_unsigned_int;
-
-      void
-      add_parameters(EntryDeclarations &prm);
-    };
+    using Parameters = LoadSteppingParameters;
 
     /** A function that is called after every converged step. */
     using Observer = std::function<void(const StepReport &, const State &)>;
@@ -137,33 +132,33 @@ namespace Biface
      * last one ended at a bifurcation and it is to be followed.
      * @param trial the step. */
     Attempt
-    try_proposed_step(StageRun &run, Control::Trial &trial);
+    try_proposed_step(StageRun &run, ControlTrial &trial);
 
     /** Attempt a step from the last converged state, in other ways if that
      * fails. */
     Attempt
-    try_step(const StageRun &run, const Control::Trial &trial);
+    try_step(const StageRun &run, const ControlTrial &trial);
 
     /** The initial guess of a step, from the coarser mesh if there is one.
      * @param secant whether to use the secant predictor if a coarser mesh does
      * not help. */
     InitialGuess
-    predict(const StageRun       &run,
-            const Control::Trial &trial,
-            const bool            secant) const;
+    predict(const StageRun     &run,
+            const ControlTrial &trial,
+            const bool          secant) const;
 
     /** Accept a converged attempt up to the critical point where the stage is
      * to stop, if it passes one.
      * @param attempt that of the whole step, then that accepted, or the attempt
      * that was stopped, without a report. */
     StepReport
-    accept_to_critical_point(StageRun       &run,
-                             Control::Trial &trial,
-                             Attempt        &attempt);
+    accept_to_critical_point(StageRun     &run,
+                             ControlTrial &trial,
+                             Attempt      &attempt);
 
     /** Accept a converged attempt, and let force terms record it. */
     StepReport
-    accept(StageRun &run, const Control::Trial &trial, Attempt &attempt);
+    accept(StageRun &run, const ControlTrial &trial, Attempt &attempt);
 
     /** The description of a failure of the stage without its reason.
      * @param tried the loads of the last attempt. */
@@ -173,11 +168,11 @@ namespace Biface
     /** The description of a failure of a step with its reason.
      * @param n_cuts, n_iterations in all attempts. */
     LoadSteppingResult
-    failure_of(const StageRun       &run,
-               const Control::Trial &trial,
-               const NewtonResult   &result,
-               const unsigned int    n_cuts,
-               const unsigned int    n_iterations) const;
+    failure_of(const StageRun     &run,
+               const ControlTrial &trial,
+               const NewtonResult &result,
+               const unsigned int  n_cuts,
+               const unsigned int  n_iterations) const;
 
     const Parameters            parameters;
     const ShellEquations       &equations;

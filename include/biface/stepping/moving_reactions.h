@@ -9,12 +9,14 @@
 #include <string>
 #include <vector>
 
-#include <biface/model/quantities/forces_on_shell.h>
 #include <biface/stepping/load_level.h>
 
 namespace Biface
 {
+  struct ForceOnShell;
+  struct Loads;
   struct PlacedBody;
+  class ShellEquations;
 
 
   /** What moves on the shell, and what it exerts on the shell. */

@@ -9,13 +9,17 @@
 #include <optional>
 #include <vector>
 
+#include <biface/base/serialize_optional.h>
 #include <biface/model/quantities/work.h>
-#include <biface/stepping/controls/control.h>
+#include <biface/stepping/controls/control_memory.h>
 #include <biface/stepping/moving_reactions.h>
 #include <biface/stepping/secant_predictor.h>
 
 namespace Biface
 {
+  struct Stage;
+
+
   /**
    * The progress of a run through the stages: all data that LoadStepping keeps
    * between steps. See RestorePoint.
@@ -76,7 +80,7 @@ namespace Biface
     std::map<unsigned int, std::string> failed_stages;
 
     /** The data of the control of the current stage, if it has started. */
-    Control::Memory control;
+    ControlMemory control;
 
     SecantPredictor predictor;
 

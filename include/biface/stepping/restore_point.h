@@ -45,6 +45,15 @@ namespace Biface
     /** The positions of stages and entries whose runs have not settled. */
     std::set<std::pair<unsigned int, unsigned int>> unsettled{};
   };
+
+
+  /** The state of the run after the last converged step: what a checkpoint
+   * contains of it and of its perturbed runs. */
+  struct AllPoints
+  {
+    RestorePoints   run;
+    PerturbedPoints perturbed;
+  };
 } // namespace Biface
 
 #endif

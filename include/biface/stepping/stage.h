@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include <biface/base/serialize_optional.h>
 #include <biface/model/state/strain_theory.h>
 #include <biface/stepping/load_level.h>
 #include <biface/stepping/stage_control.h>

@@ -8,12 +8,17 @@
 #include <vector>
 
 #include <biface/model/forces/force_term.h>
-#include <biface/stepping/controls/control.h>
-#include <biface/stepping/step_report.h>
+#include <biface/solver/control_equation.h>
 
 namespace Biface
 {
+  struct ControlMemory;
+  struct ControlTrial;
+  struct LoadLevel;
+  struct Loads;
   class StageRun;
+  struct State;
+  struct StepReport;
 
 
   /** Something that accompanies the stages of a run and adds its results to
@@ -38,8 +43,8 @@ namespace Biface
       /** The loads before the step. */
       const LoadLevel &level_before;
       /** The data of the control before it accepted the step. */
-      const Control::Memory &memory;
-      const Control::Trial  &trial;
+      const ControlMemory &memory;
+      const ControlTrial  &trial;
       /** The final load parameters. */
       LoadParameters mu;
       /** The state after the step, before ShellEquations::commit_step(). */

@@ -9,6 +9,7 @@
 
 #include <biface/model/state/state.h>
 #include <biface/solver/buckling_analysis.h>
+#include <biface/stepping/load_level.h>
 #include <biface/stepping/stage_analysis.h>
 
 namespace Biface

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include <biface/base/serialize_optional.h>
 #include <biface/contact/contact_laws_of_stage.h>
 #include <biface/model/state/load_rates.h>
 #include <biface/stepping/load_level.h>
@@ -17,18 +18,6 @@
 namespace Biface
 {
   class EntryDeclarations;
-
-
-  /** Add a value that may not be set to an archive, or read it from one. */
-  template <class Archive, class Value>
-  void
-  serialize_optional(Archive &archive, std::optional<Value> &value)
-  {
-    bool            given   = value.has_value();
-    Value           content = value.value_or(Value());
-    archive &given &content;
-    value = (given ? std::optional<Value>(content) : std::nullopt);
-  }
 
 
   /** Loads or supports as the entry 'Load factors' names them, each with its

@@ -11,7 +11,6 @@
 #include <biface/contact/contact_laws.h>
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/heat/rolling_heat.h>
-#include <biface/model/state/loads.h>
 #include <biface/stepping/controls/control.h>
 #include <biface/stepping/instant.h>
 #include <biface/stepping/progress.h>
@@ -19,6 +18,10 @@
 
 namespace Biface
 {
+  class ContactInteraction;
+  struct Loads;
+
+
   /**
    * A stage while a shell goes through it: its control, its loads at any level,
    * and the last converged equilibrium. LoadStepping computes the steps;

@@ -6,10 +6,11 @@
 #include <optional>
 #include <vector>
 
-#include <biface/stepping/stage.h>
-
 namespace Biface
 {
+  struct Stage;
+
+
   /** The position of the stage from whose end the stage at @p position starts:
    * the previous one, or the one that it names. None for the first stage, which
    * starts from the unloaded shell. */

@@ -5,11 +5,11 @@
 
 #include <string>
 
-#include <biface/model/equations/shell_equations.h>
-
 namespace Biface
 {
+  class ShellEquations;
   struct StageMotion;
+  struct State;
 
 
   /** The loads before a step in time, in its middle and after it, and its

@@ -9,6 +9,9 @@
 
 namespace Biface
 {
+  struct ControlTrial;
+
+
   /** Print what is out of balance in a start from a prestress. */
   void
   print(const StageRun                  &run,
@@ -18,7 +21,7 @@ namespace Biface
   /** Print the number and the loads of a step. */
   void
   announce(const StageRun             &run,
-           const Control::Trial       &trial,
+           const ControlTrial         &trial,
            dealii::ConditionalOStream &out);
 } // namespace Biface
 

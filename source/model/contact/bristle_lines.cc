@@ -7,7 +7,7 @@
 
 #include <biface/base/gather.h>
 #include <biface/model/contact/bristle_lines.h>
-#include <biface/model/state/loads.h>
+#include <biface/model/state/load_rates.h>
 #include <biface/model/state/placed_body.h>
 #include <biface/model/state/state.h>
 

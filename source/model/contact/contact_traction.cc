@@ -4,7 +4,6 @@
 #include <biface/model/contact/contact_traction.h>
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/state/contact_points.h>
-#include <biface/model/state/loads.h>
 #include <biface/model/state/placed_body.h>
 #include <biface/model/state/state.h>
 

@@ -12,9 +12,13 @@
 #include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/laminate/layup.h>
+#include <biface/model/heat/heat_of_plies.h>
 #include <biface/model/heat/rolling_heat.h>
+#include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/mesh/strip.h>
+#include <biface/model/quantities/hysteresis.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/state.h>
 #include <biface/surface/reference_surface.h>
 
 namespace Biface

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 
+#include <biface/model/equations/shell_equations.h>
 #include <biface/model/quantities/forces_on_shell.h>
 #include <biface/model/state/load_rates.h>
 #include <biface/model/state/loads.h>

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include <biface/laminate/layup.h>
+#include <biface/model/equations/shell_equations.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/model/quantities/cyclic_loss.h>
 #include <biface/model/quantities/hysteresis.h>

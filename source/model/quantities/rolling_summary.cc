@@ -13,6 +13,7 @@
 #include <biface/model/contact/bristle_lines.h>
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/quantities/contact_resultants.h>
+#include <biface/model/quantities/forces_on_shell.h>
 #include <biface/model/quantities/rolling_summary.h>
 #include <biface/model/state/loads.h>
 #include <biface/model/state/placed_body.h>

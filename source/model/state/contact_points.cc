@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <biface/contact/contact_condition.h>
+#include <biface/contact/contact_condition_parameters.h>
 #include <biface/model/state/contact_points.h>
 
 namespace Biface

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <biface/model/mesh/shell_mesh.h>
 #include <biface/stepping/controls/arc_length_control.h>
 
 namespace Biface

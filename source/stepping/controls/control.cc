@@ -5,6 +5,7 @@
 
 #include <biface/base/errors.h>
 #include <biface/input/entry_declarations.h>
+#include <biface/model/mesh/shell_mesh.h>
 #include <biface/stepping/controls/control.h>
 
 namespace Biface
@@ -12,7 +13,7 @@ namespace Biface
   using namespace dealii;
 
   void
-  Control::Parameters::add_parameters(EntryDeclarations &prm)
+  ControlParameters::add_parameters(EntryDeclarations &prm)
   {
     prm.add_parameter("Maximum cuts",
                       max_cuts,

@@ -4,6 +4,7 @@
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/model/equations/shell_equations.h>
 #include <biface/stepping/controls/displacement_control.h>
 #include <biface/surface/reference_surface.h>
 

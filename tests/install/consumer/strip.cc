@@ -10,6 +10,7 @@
 
 #include <biface/analysis/simulation.h>
 #include <biface/problem/parameters.h>
+#include <biface/stepping/step_report.h>
 
 int
 main(int argc, char *argv[])

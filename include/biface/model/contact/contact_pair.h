@@ -11,10 +11,8 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
-#include <biface/contact/body_parameters.h>
-#include <biface/contact/contact_condition.h>
-#include <biface/contact/friction.h>
-#include <biface/contact/rigid_body.h>
+#include <biface/contact/contact_condition_parameters.h>
+#include <biface/contact/friction_parameters.h>
 #include <biface/contact/tread.h>
 #include <biface/model/contact/contact_traction.h>
 #include <biface/model/contact/linearized_contact.h>
@@ -27,6 +25,7 @@
 
 namespace Biface
 {
+  struct BodyParameters;
   class BristleLines;
   class ContactLaws;
   struct ContactLawsOfStage;
@@ -229,8 +228,8 @@ namespace Biface
     void
     set_multipliers_of_bristles(State &state, const Loads &loads) const;
 
-    const ContactCondition::Parameters condition_parameters;
-    const FrictionLaw::Parameters      friction_parameters;
+    const ContactConditionParameters condition_parameters;
+    const FrictionParameters         friction_parameters;
   };
 } // namespace Biface
 

@@ -3,9 +3,9 @@
 #ifndef biface_model_contact_contact_parameters_h
 #define biface_model_contact_contact_parameters_h
 
-#include <biface/contact/contact_condition.h>
-#include <biface/contact/friction.h>
-#include <biface/contact/rigid_body.h>
+#include <biface/contact/contact_condition_parameters.h>
+#include <biface/contact/friction_parameters.h>
+#include <biface/contact/ground_parameters.h>
 #include <biface/contact/tread.h>
 #include <biface/laminate/resultants.h>
 
@@ -17,10 +17,10 @@ namespace Biface
   /** The parameters of the contact between the shell and the ground. */
   struct ContactParameters
   {
-    RigidBody::Parameters        body;
-    ContactCondition::Parameters condition;
-    FrictionLaw::Parameters      friction;
-    TreadParameters              tread;
+    GroundParameters           body;
+    ContactConditionParameters condition;
+    FrictionParameters         friction;
+    TreadParameters            tread;
     /** The face of the shell that touches the body. */
     Resultants::Face face = Resultants::outer;
 

@@ -7,14 +7,16 @@
 
 #include <vector>
 
-#include <biface/model/equations/shell_equations.h>
-#include <biface/model/heat/heat_of_plies.h>
 #include <biface/model/heat/wall_conduction.h>
-#include <biface/model/quantities/hysteresis.h>
 
 namespace Biface
 {
   class EntryDeclarations;
+  struct HeatOfPlies;
+  struct Hysteresis;
+  struct Loads;
+  class ShellMesh;
+  struct State;
 
 
   /**

@@ -9,10 +9,17 @@
 #include <string>
 #include <vector>
 
-#include <biface/model/equations/shell_equations.h>
+#include <biface/base/linear_algebra.h>
 
 namespace Biface
 {
+  struct Loads;
+  class NodalForces;
+  class ShellEquations;
+  class ShellMesh;
+  struct State;
+
+
   /** The resultant of the forces of a body on the shell. */
   struct ForceOnShell
   {

@@ -9,10 +9,12 @@
 #include <cmath>
 #include <vector>
 
-#include <biface/model/equations/shell_equations.h>
-
 namespace Biface
 {
+  class ShellEquations;
+  struct State;
+
+
   /**
    * The energy that the plies of a rolling wheel dissipate in a turn: by the
    * relaxation of their stresses, see RelaxationInTransport, or by their loss

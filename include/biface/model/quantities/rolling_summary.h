@@ -8,13 +8,16 @@
 #include <optional>
 #include <vector>
 
-#include <biface/model/equations/shell_equations.h>
-#include <biface/model/quantities/forces_on_shell.h>
 #include <biface/model/quantities/hysteresis.h>
 
 namespace Biface
 {
   class ContactPair;
+  struct ForceOnShell;
+  struct Loads;
+  class ShellEquations;
+  struct State;
+
 
   /** The forces and powers of a wheel that rolls over a plane or a drum. */
   struct RollingSummary

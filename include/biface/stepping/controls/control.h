@@ -12,15 +12,19 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
-#include <biface/model/equations/shell_equations.h>
-#include <biface/model/mesh/shell_mesh.h>
-#include <biface/solver/control_equation.h>
-#include <biface/stepping/controls/step_size.h>
+#include <biface/stepping/controls/control_memory.h>
+#include <biface/stepping/controls/control_parameters.h>
+#include <biface/stepping/controls/control_trial.h>
 #include <biface/stepping/stage.h>
 
 namespace Biface
 {
+  class ContactInteraction;
   class EntryDeclarations;
+  struct Loads;
+  class ShellEquations;
+  class ShellMesh;
+  struct State;
 
 
   /**
@@ -32,15 +36,9 @@ namespace Biface
   class Control
   {
   public:
-    struct Parameters
-    {
-      unsigned int max_cuts       = 6;
-      unsigned int max_arc_steps  = 1000;
-      double       maximum_growth = 10;
-
-      void
-      add_parameters(EntryDeclarations &prm);
-    };
+    using Parameters = ControlParameters;
+    using Trial      = ControlTrial;
+    using Memory     = ControlMemory;
 
     Control(const Stage &stage, const Parameters &parameters);
 
@@ -102,23 +100,6 @@ namespace Biface
     /** Begin the stage. Throws InputError if it cannot make progress. */
     virtual void
     begin(const Equilibrium &start);
-
-    /** A step to try. */
-    struct Trial
-    {
-      /** The loads, as a function of the load parameters: as many as there are
-       * equations, one if there are none. */
-      std::function<LoadLevel(const LoadParameters &)> level;
-      /** The values of the load parameters or, with equations, the initial
-       * guess. */
-      LoadParameters mu;
-      /** The equations that determine the load parameters; null if they are
-       * prescribed. */
-      std::shared_ptr<const ControlEquations> equations = nullptr;
-      /** The size of the step as a fraction of the stage, for predictors, if
-       * states change in proportion to it; otherwise 0. */
-      double size = 0;
-    };
 
     /** Propose the next step. */
     virtual Trial
@@ -214,35 +195,6 @@ namespace Biface
     {
       return {};
     }
-
-    /** All data that a control keeps between steps. */
-    struct Memory
-    {
-      /** The loads at the start of the stage. */
-      LoadLevel start;
-      StepSize  size;
-      /** The completed fraction of the stage, see Control::done(). */
-      double done = 0;
-      /** Data of the derived class by name. */
-      std::map<std::string, double> numbers;
-      /** Displacements that the derived class keeps, by name (locally owned
-       * entries). */
-      std::map<std::string, LA::Vector> vectors;
-
-      /** Archive the numbers and the names of vectors, which are distributed
-       * and stored separately. */
-      template <class Archive>
-      void
-      serialize(Archive &archive, const unsigned int)
-      {
-        std::vector<std::string> names;
-        for (const auto &vector : vectors)
-          names.push_back(vector.first);
-        archive &start &size &done &numbers &names;
-        for (const std::string &name : names)
-          vectors[name];
-      }
-    };
 
     virtual Memory
     get_memory() const;
