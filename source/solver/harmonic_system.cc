@@ -476,12 +476,9 @@ namespace Biface
       parts_of_bodies.push_back(std::make_unique<const Part>(std::move(part)));
       return parts_of_bodies.back().get();
     };
-    for (const auto &pair : contact.pairs)
+    for (const ContactPair *pair : contact.present(loads))
       {
-        const PlacedBody *const body = pair->body(loads);
-        if (!body)
-          continue;
-        ContactOfBody of_body{pair->number, body->name, {}, {}};
+        ContactOfBody of_body{pair->number, pair->name, {}, {}};
         if (FixedContactTangent::rolls_with_friction(loads))
           {
             // what the only body adds to the whole

@@ -3,7 +3,6 @@
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/state/loads.h>
-#include <biface/model/state/placed_body.h>
 #include <biface/stepping/frequency_responses.h>
 #include <biface/stepping/stage_run.h>
 #include <biface/stepping/step_report.h>
@@ -46,13 +45,10 @@ namespace Biface
       if (const auto motion = StageResponse::motion(name, stage))
         {
           result.direction = motion->second;
-          for (const auto &pair : contact.pairs)
-            if (const PlacedBody *const body = pair->body(loads))
-              if (motion->first ==
-                    (pair->number == 0 ? "ground" : body->name) ||
-                  (motion->first == "ground" &&
-                   pair->moving_body.is_on_ground()))
-                result.bodies.insert(pair->number);
+          for (const ContactPair *pair : contact.present(loads))
+            if (motion->first == (pair->number == 0 ? "ground" : pair->name) ||
+                (motion->first == "ground" && pair->moving_body.is_on_ground()))
+              result.bodies.insert(pair->number);
           return result;
         }
       LoadRates rates;

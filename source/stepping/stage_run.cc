@@ -307,12 +307,12 @@ namespace Biface
           progress.first_reactions.of[motion.name] = at_rest;
       }
     const Loads loads = loads_at(progress.reached);
-    for (const auto &pair : contact.pairs)
-      if (const PlacedBody *placed = pair->body(loads))
-        if (progress.first_reactions.of.count(pair->name) == 0 &&
-            ((pair.get() == &contact.ground() && ground_is_placed) ||
-             !(penetration(*pair, state, loads) > 0)))
-          progress.first_reactions.of[pair->name] = without_force(*placed);
+    for (const ContactPair *pair : contact.present(loads))
+      if (progress.first_reactions.of.count(pair->name) == 0 &&
+          ((pair == &contact.ground() && ground_is_placed) ||
+           !(penetration(*pair, state, loads) > 0)))
+        progress.first_reactions.of[pair->name] =
+          without_force(*pair->body(loads));
   }
 
 

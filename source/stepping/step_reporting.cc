@@ -27,12 +27,14 @@ namespace Biface
                       LoadLevel());
     report.contact   = summarize(run.contact.ground(), run.state, loads);
     report.footprint = find_footprint(run.contact.ground(), run.state, loads);
-    for (const auto &pair : run.contact.pairs)
-      if (pair.get() != &run.contact.ground())
-        if (const PlacedBody *placed = pair->body(loads))
+    for (const ContactPair *pair : run.contact.present(loads))
+      if (pair != &run.contact.ground())
+        {
+          const RigidBody &body     = pair->body(loads)->body;
           report.bodies[pair->name] = {summarize(*pair, run.state, loads),
-                                       placed->body.displacement_of_point(),
-                                       placed->body.rotation_vector()};
+                                       body.displacement_of_point(),
+                                       body.rotation_vector()};
+        }
   }
 
 

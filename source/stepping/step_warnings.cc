@@ -65,15 +65,12 @@ namespace Biface
     // a step that converged at once gives no reason to doubt its solution
     if (report.n_cuts == 0)
       return;
-    for (const auto &pair : run.contact.pairs)
-      if (pair->body(*report.loads) &&
-          warned_of_steep_sides.count(pair->name) == 0 &&
+    for (const ContactPair *pair : run.contact.present(*report.loads))
+      if (warned_of_steep_sides.count(pair->name) == 0 &&
           largest_angle_of_normals(*pair, run.state, *report.loads) > steep)
         {
           out << "  Warning: the step was halved, and a steep side of "
-              << (pair.get() == &run.contact.ground()
-                    ? "the ground"
-                    : "the body '" + pair->name + "'")
+              << pair->description()
               << " holds nodes; the shell may have several equilibria there, "
               << "of which the steps choose one. Go from soft to rigid contact "
               << "by 'Regularization' of stages, or give a 'Contact/Tread'"
@@ -118,11 +115,11 @@ namespace Biface
     // of wall and tread
     constexpr double remarkable = 0.05;
 
-    for (const auto &pair : run.contact.pairs)
+    for (const ContactPair *pair : run.contact.present(loads))
       {
         // on the ground the footprint shows whether cells are small
-        if (pair.get() == &run.contact.ground() ||
-            warned_of_large_cells.count(pair->name) > 0 || !pair->body(loads))
+        if (pair == &run.contact.ground() ||
+            warned_of_large_cells.count(pair->name) > 0)
           continue;
         // points in contact cannot see what lies between them
         const auto deepest =
@@ -149,9 +146,9 @@ namespace Biface
   void
   StepWarnings::warn_of_pierced_nodes(const StageRun &run, const Loads &loads)
   {
-    for (const auto &pair : run.contact.pairs)
+    for (const ContactPair *pair : run.contact.present(loads))
       {
-        if (warned_of_pierced_nodes.count(pair->name) > 0 || !pair->body(loads))
+        if (warned_of_pierced_nodes.count(pair->name) > 0)
           continue;
         const ActiveSet pierced = pierced_nodes(*pair, run.state, loads);
         const bool      any     = std::any_of(
@@ -160,10 +157,7 @@ namespace Biface
         // same way
         if (!Utilities::MPI::logical_or(any, run.contact.mesh.communicator))
           continue;
-        out << "  Warning: "
-            << (pair.get() == &run.contact.ground()
-                  ? "the ground"
-                  : "the body '" + pair->name + "'")
+        out << "  Warning: " << pair->description()
             << " penetrates supported nodes, which cannot come into contact: "
             << name_nodes(run.contact.mesh, pierced) << std::endl;
         warned_of_pierced_nodes.insert(pair->name);

@@ -77,6 +77,17 @@ namespace Biface
   ContactInteraction::~ContactInteraction() = default;
 
 
+  std::vector<const ContactPair *>
+  ContactInteraction::present(const Loads &loads) const
+  {
+    std::vector<const ContactPair *> result;
+    for (const auto &pair : pairs)
+      if (pair->body(loads))
+        result.push_back(pair.get());
+    return result;
+  }
+
+
   State
   ContactInteraction::unloaded_state() const
   {

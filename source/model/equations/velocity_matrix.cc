@@ -94,6 +94,7 @@ namespace Biface
     for (const Strip &strip : mesh.strips)
       mass_moments.push_back(strip.laminate.mass_moments());
 
+    const auto pairs   = contact.present(loads);
     LA::Vector nothing = mesh.owned_vector();
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       {
@@ -106,8 +107,8 @@ namespace Biface
                          angular_velocity,
                          velocity_matrix);
         // mass belongs to the layers, contact to the wall
-        for (const auto &pair : contact.pairs)
-          if (cell.is_wall && pair->body(loads))
+        if (cell.is_wall)
+          for (const ContactPair *pair : pairs)
             add_friction(*pair, state, loads, cell, velocity_matrix);
         matrix.add(c, velocity_matrix, MixedElement::NodalVector(), nothing);
       }

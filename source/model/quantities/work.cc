@@ -74,10 +74,8 @@ namespace Biface
       (prescribed ? result.damping - work(ForceTerm::Source::shell) -
                       work(ForceTerm::Source::ground)
                   : work(ForceTerm::Source::loads));
-    for (const auto &pair : contact.pairs)
+    for (const ContactPair *pair : contact.present(after.loads))
       {
-        if (!pair->body(after.loads))
-          continue;
         const RigidBody &start = pair->body(before.loads)->body;
         const RigidBody &end   = pair->body(after.loads)->body;
         // the motion of a body at each end is that of the point which is in

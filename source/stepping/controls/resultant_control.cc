@@ -148,8 +148,8 @@ namespace Biface
                          const Loads              &loads,
                          const Function           &function)
       {
-        for (const auto &pair : contact.pairs)
-          if (pair->moving_body.is_on_ground() && pair->body(loads))
+        for (const ContactPair *pair : contact.present(loads))
+          if (pair->moving_body.is_on_ground())
             function(*pair);
       }
 

@@ -53,6 +53,10 @@ namespace Biface
       return *pairs.front();
     }
 
+    /** The pairs whose bodies are there. */
+    std::vector<const ContactPair *>
+    present(const Loads &loads) const;
+
     /** The state of the unloaded shell, with a ContactState for each pair. */
     State
     unloaded_state() const;

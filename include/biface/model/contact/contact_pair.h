@@ -80,6 +80,13 @@ namespace Biface
     const PlacedBody *
     body(const Loads &loads) const;
 
+    /** What messages call the body: the ground, or the body with its name. */
+    std::string
+    description() const
+    {
+      return number == 0 ? "the ground" : "the body '" + name + "'";
+    }
+
     /** Whether the body is there and holds nodes sideways. */
     bool
     has_friction(const Loads &loads) const;
