@@ -316,6 +316,7 @@ namespace Biface
 
     Newton newton(
       parameters.newton, equations, contact, *linear_solver, out, timer, stop);
+    // steps in time have forces of contact over the step, and no active set
     const ContactInteraction no_contact(*mesh,
                                         std::vector<ContactParameters>());
     Newton                   newton_in_time(parameters.newton,

@@ -202,6 +202,8 @@ namespace Biface
               }
             why = system.solve(x);
           }
+        // a frequency at which the system is singular leaves the others as they
+        // are
         for (unsigned int i = 0; i < request.excitations.size(); ++i)
           if (why.empty())
             values[i] = outputs_at(

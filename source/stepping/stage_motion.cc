@@ -230,6 +230,7 @@ namespace Biface
         refuse_without_inertia(time_step.has_value(),
                                "Time step",
                                number_to_string(time_step.value_or(0)));
+        // a frequency response is damped by the same matrices
         for (const auto &[entry, value] :
              {std::make_pair("Mass damping", damping_in_time.of_mass),
               std::make_pair("Stiffness damping",

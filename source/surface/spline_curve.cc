@@ -188,6 +188,8 @@ namespace Biface
           samples.emplace_back(s, evaluate(s).position);
         }
     check_crossing(contour, name);
+    // the knots alone would miss corners, which are shorter than what lies
+    // between them
     for (const Rounding &rounding : roundings)
       for (unsigned int k = 0; k <= 4 * n_samples; ++k)
         {

@@ -72,6 +72,7 @@ namespace Biface
         if (alpha_2.uses_end())
           throw InputError(entry, named.second, form);
         point.alpha[1] = alpha_2.value(0);
+        // where the surface ends is known only when it has been made
         if (alpha_1.uses_end())
           point.alpha_1 = alpha_1;
         else
