@@ -243,7 +243,7 @@ class Pages:
         file.write_text(text, encoding="utf-8")
         buckling = self.run("vacuum", file, {
             "Number of stages": 1, "Stage 1/Pressure": -1e-4, "Stage 1/Buckling": 4,
-            "Element/Strain sampling": "means"}).buckling()
+            "Formulation": "standard"}).buckling()
         return table(["Shape", "pressure, MPa", "waves around the tire"], [
             [f"{line['mode']:g}", f"{line['pressure']:.4f}".replace("-", "−"),
              f"{line['circumferential_waves']:g}"] for line in buckling.rows()])

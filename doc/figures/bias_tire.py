@@ -42,7 +42,6 @@ READINGS = {
     "asymmetric": "law of the thickness strain `asymmetric`",
     "prestress": "inflated state as initial resultants",
     "undeformed": "Δ from the tire before inflation",
-    "face_area": "dead pressure on the true area of the inner face",
     "true_pressure": "true pressure",
     "linear": "linear about the inflated tire",
     "linear_stages": "inflation linear, then linear about its result",

@@ -26,7 +26,7 @@ from pathlib import Path
 # Refinement, number of steps of the contact stage, ranks, name, further settings
 Case = namedtuple("Case", "refinement steps ranks name settings")
 
-LUMPED = ["Contact/Multiplier mass=lumped", "Element/Strain sampling=means"]
+LUMPED = ["Contact/Multiplier mass=lumped", "Formulation=standard"]
 SLACK = LUMPED + ["Material cord/E_L compression=5.1045"]
 MULTIGRID = ["Linear solver/Type=iterative"]
 

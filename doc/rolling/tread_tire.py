@@ -34,7 +34,7 @@ TREAD = {
     "Material rubber/Density": 1.2e-9,
     "Laminate/Plies": "2 x (cord: 1.2 @ +-52), rubber: 8 @ 0 from -60 to 60",
     "Mesh/Intervals alpha_1": "-120:-60:9, -60:60:24, 60:120:9",
-    "Element/Strain sampling": "means",
+    "Formulation": "standard",
 }
 WALLS = (("no tread", SLIP_VELOCITY),
          ("bristles", {}),

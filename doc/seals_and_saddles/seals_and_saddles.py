@@ -463,9 +463,9 @@ def ring_words(runs, axis):
         **RING, "Mesh/Intervals alpha_2": "60:64:80, 64:70:48, 70:180:440",
         "Supports/alpha_2 min": "fixed", "Stage 1/Bodies": "",
         "Stage 1/Pressure": 0, "Stage 1/Load factor": 1,
-        "Loads/Area of face loads": "middle",
-        "Loads/Inner traction": f"0; {-flow}*z*{MIDDLE / RADIUS}; 0; local",
-        "Loads/Outer traction": f"0; {-flow}*z*{MIDDLE / RADIUS}; 0; local",
+        # per area of the faces, whose radii differ
+        "Loads/Inner traction": f"0; {-flow}*z*{MIDDLE**2 / RADIUS / (MIDDLE - THICKNESS / 2)}; 0; local",
+        "Loads/Outer traction": f"0; {-flow}*z*{MIDDLE**2 / RADIUS / (MIDDLE + THICKNESS / 2)}; 0; local",
         "Named points": "horn: 0 60, top: 0 180"})
     computed_held = moments_of(held)
 

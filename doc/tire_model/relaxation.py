@@ -25,7 +25,7 @@ TIRE = "bias_tire_true_pressure.prm"
 COMMON = {
     # fine on the part of the tire that rolls over the ground
     "Mesh/Intervals alpha_2": "-180:-20:10:smooth, -20:130:90, 130:180:3:smooth",
-    "Element/Strain sampling": "means", "Contact/Multiplier mass": "lumped",
+    "Formulation": "standard", "Contact/Multiplier mass": "lumped",
     "Contact/Friction": 0.8, "Contact/Critical velocity": 0.002,
     "Contact/Regularization": 100, "Contact/Tangential regularization": 100,
     "Stage 2/Control": "foundation force", "Stage 2/Travel": "unchanged",

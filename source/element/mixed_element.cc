@@ -142,20 +142,6 @@ namespace Biface
       }
     for (unsigned int q = 0; q < 4; ++q)
       gradients[q] = displacement_gradient(geometry, V, q);
-    if (with_means())
-      {
-        change  = StrainMeans::change(geometry, gradients);
-        vectors = geometry.undeformed;
-        vectors += change;
-      }
-    if (with_mean_director())
-      {
-        director_change = MeanDirector::change(geometry, gradients);
-        director        = MeanDirector::undeformed(geometry);
-        director += director_change;
-      }
-    if (with_normal_thickness())
-      shear = NormalThickness::shear(strain_of_directors(), tangents());
   }
 
 
@@ -244,21 +230,7 @@ namespace Biface
     for (unsigned int q = 0; q < 4; ++q)
       at_vertices[q] =
         green_lagrange_strain(gradients[q], geometry.vertices[q].metric);
-    Modes::Vector E = Modes::from_vertices(at_vertices);
-    if (with_means())
-      {
-        // |d|^2 - |E|^2 = (d - E) . (d + E)
-        MeanVectors sum = vectors;
-        sum += geometry.undeformed;
-        StrainMeans::add_products(geometry, change, sum, 1, E);
-      }
-    if (with_mean_director())
-      {
-        MeanDirector sum = director;
-        sum += MeanDirector::undeformed(geometry);
-        MeanDirector::add_products(geometry, director_change, sum, 1, E);
-      }
-    return E;
+    return Modes::from_vertices(at_vertices);
   }
 
 
@@ -284,17 +256,7 @@ namespace Biface
         at_vertices[q] = Biface::strain_variation(
           gradients[q], variation[q], geometry.vertices[q].metric);
       }
-    Modes::Vector E = Modes::from_vertices(at_vertices);
-    if (with_means())
-      StrainMeans::add_products(
-        geometry, vectors, StrainMeans::change(geometry, variation), 2, E);
-    if (with_mean_director())
-      MeanDirector::add_products(
-        geometry, director, MeanDirector::change(geometry, variation), 2, E);
-    if (with_normal_thickness())
-      NormalThickness::subtract_products(
-        shear, NormalThickness::shear(E, tangents()), 1, E);
-    return E;
+    return Modes::from_vertices(at_vertices);
   }
 
 
@@ -319,15 +281,7 @@ namespace Biface
                          Biface::strain_variation(
                            DisplacementGradient(), gradients[q], metric);
       }
-    Modes::Vector eta = Modes::from_vertices(at_vertices);
-    if (with_means())
-      StrainMeans::add_products(geometry, change, change, 1, eta);
-    if (with_mean_director())
-      MeanDirector::add_products(
-        geometry, director_change, director_change, 1, eta);
-    if (with_normal_thickness())
-      NormalThickness::subtract_products(shear, shear, 0.5, eta);
-    return eta;
+    return Modes::from_vertices(at_vertices);
   }
 
 
@@ -350,7 +304,9 @@ namespace Biface
           for (unsigned int q = 0; q < 4; ++q)
             {
               const double zeta = geometry.vertices[q].metric.zeta[face][a];
-              slope += MeanVectors::sign(a, q) / 4 * variation[q].g[face][a];
+              // the coordinate other than a is -1 or 1 at the vertex
+              const double sign = ((q & (2 >> a)) == 0 ? -1. : 1.);
+              slope += sign / 4 * variation[q].g[face][a];
               mean_square += 1 / (4 * zeta * zeta);
             }
           eta[Resultants::tangential(a, face)] =
@@ -384,24 +340,6 @@ namespace Biface
     const auto at_vertices = Modes::to_vertices(geometry.weight * H);
     const auto total_at_vertices =
       Modes::to_vertices(geometry.weight * (H + H_0));
-    MeanVectors means;
-    if (with_means())
-      {
-        means = StrainMeans::Coupling(geometry, geometry.weight * H)
-                  .apply(geometry.undeformed);
-        means += StrainMeans::Coupling(geometry, geometry.weight * (H + H_0))
-                   .apply(change);
-      }
-    MeanDirector on_director;
-    if (with_mean_director())
-      {
-        using Form  = MeanDirector::Form;
-        on_director = Form::of_resultants(geometry, geometry.weight * H)
-                        .apply(MeanDirector::undeformed(geometry));
-        on_director +=
-          Form::of_resultants(geometry, geometry.weight * (H + H_0))
-            .apply(director_change);
-      }
 
     NodalVector force;
     for (unsigned int q = 0; q < 4; ++q)
@@ -411,10 +349,6 @@ namespace Biface
           linear_conjugate(at_vertices[q], metric);
         conjugate +=
           GeometricCoupling(total_at_vertices[q], metric).apply(gradients[q]);
-        if (with_means())
-          conjugate += StrainMeans::conjugate_at_vertex(geometry, means, q);
-        if (with_mean_director())
-          conjugate.beta += on_director.at_vertex(geometry, q);
         add_nodal_force(geometry, conjugate, q, force);
       }
     return force;
@@ -452,15 +386,6 @@ namespace Biface
     std::array<DisplacementGradient, 4> variation;
     for (unsigned int q = 0; q < 4; ++q)
       variation[q] = displacement_gradient(geometry, dV, q);
-    MeanVectors means;
-    if (with_means())
-      means = StrainMeans::Coupling(geometry, geometry.weight * H)
-                .apply(StrainMeans::change(geometry, variation));
-    MeanDirector on_director;
-    if (with_mean_director())
-      on_director =
-        MeanDirector::Form::of_resultants(geometry, geometry.weight * H)
-          .apply(MeanDirector::change(geometry, variation));
 
     const auto at_vertices = Modes::to_vertices(geometry.weight * H);
     for (unsigned int q = 0; q < 4; ++q)
@@ -468,10 +393,6 @@ namespace Biface
         DisplacementGradient conjugate =
           GeometricCoupling(at_vertices[q], geometry.vertices[q].metric)
             .apply(variation[q]);
-        if (with_means())
-          conjugate += StrainMeans::conjugate_at_vertex(geometry, means, q);
-        if (with_mean_director())
-          conjugate.beta += on_director.at_vertex(geometry, q);
         add_nodal_force(geometry, conjugate, q, force);
       }
     return force;
@@ -669,19 +590,6 @@ namespace Biface
       add_vertices(const ElementGeometry                   &geometry,
                    const std::array<Resultants::Vector, 4> &resultants);
 
-      /** What StrainSampling::means adds.
-       *
-       * @param H the resultants times the weight of the element. */
-      void
-      add_means(const ElementGeometry   &geometry,
-                const StrainMeans::Maps &maps,
-                const Modes::Vector     &H);
-
-      /** What ThicknessStrain::mean_director adds. */
-      void
-      add_director(const ElementGeometry    &geometry,
-                   const MeanDirector::Form &form);
-
       /** All of it for a Quadrilateral. */
       void
       add_vectors(const ElementGeometry          &geometry,
@@ -708,27 +616,6 @@ namespace Biface
                   director_sum[k][l] += mixed * turn[i][j];
                   director_difference[k][l] += by_half * turn[i][j];
                 }
-          }
-    }
-
-
-    void
-    SecondVariation::add_director(const ElementGeometry    &geometry,
-                                  const MeanDirector::Form &form)
-    {
-      for (unsigned int q = 0; q < 4; ++q)
-        for (unsigned int r = 0; r < 4; ++r)
-          {
-            const ElementGeometry::Vertex &row    = geometry.vertices[q],
-                                          &column = geometry.vertices[r];
-            // half of 2/h at both vertices
-            const double factor = form.of_vertices(q, r) / 2 * 2 /
-                                  row.thickness * 2 / column.thickness;
-            const Tensor<2, 3> turn = transpose(row.axes) * column.axes;
-            for (unsigned int i = 0; i < 3; ++i)
-              for (unsigned int j = 0; j < 3; ++j)
-                director_difference[3 * q + i][3 * r + j] +=
-                  factor * turn[i][j];
           }
     }
 
@@ -821,245 +708,6 @@ namespace Biface
   } // namespace
 
 
-  namespace
-  {
-    /** The scalar product of a vector with each column of a matrix. */
-    PartVector
-    product(const Tensor<1, 3> &p, const StrainMeans::Maps::Matrix &matrix)
-    {
-      PartVector result;
-      for (unsigned int k = 0; k < result.size(); ++k)
-        result[k] =
-          p[0] * matrix[0][k] + p[1] * matrix[1][k] + p[2] * matrix[2][k];
-      return result;
-    }
-  } // namespace
-
-
-  void
-  MixedElement::add_mean_terms(const StrainMeans::Maps &maps,
-                               StrainMatrix            &B) const
-  {
-    using namespace Resultants;
-    using StrainMeans::Maps;
-
-    // d(strain) = p . d(slope) + m . d(mean) + b . d(slope of the director),
-    // the last ones optional
-    const auto add = [&](const unsigned int  mode,
-                         const unsigned int  face,
-                         const unsigned int  a,
-                         const Tensor<1, 3> &p,
-                         const Tensor<1, 3> *m,
-                         const Tensor<1, 3> *b) {
-      std::array<double, n_dofs> &row  = B[mode];
-      const unsigned int          c    = 1 - a;
-      PartVector                  v    = product(p, maps.tangent[face][a]);
-      const double                sign = face_sign[face];
-      for (unsigned int k = 0; k < v.size(); ++k)
-        v[k] *= Maps::sign(a, k);
-      if (m)
-        {
-          const PartVector of_mean = product(*m, maps.tangent[face][c]);
-          for (unsigned int k = 0; k < v.size(); ++k)
-            v[k] += of_mean[k];
-        }
-      for (unsigned int k = 0; k < v.size(); ++k)
-        {
-          row[k] += v[k];
-          row[n_of_part + k] += sign * v[k];
-        }
-
-      // the director depends on half the difference alone, and so does a face
-      // that is not parallel to the surface
-      if (b || maps.tapered)
-        {
-          Tensor<1, 3> along[4];
-          for (unsigned int q = 0; q < 4; ++q)
-            {
-              const double sign_q = MeanVectors::sign(a, q);
-              if (b)
-                along[q] = sign_q * *b;
-              if (maps.tapered)
-                {
-                  along[q] += sign_q * maps.tilt[face][a][q] * p;
-                  if (m)
-                    along[q] += maps.tilt[face][c][q] * *m;
-                }
-            }
-          for (unsigned int k = 0; k < v.size(); ++k)
-            {
-              const Tensor<1, 3> &r = along[k / 3];
-              row[n_of_part + k] +=
-                2 / geometry.vertices[k / 3].thickness *
-                (r[0] * maps.director[0][k] + r[1] * maps.director[1][k] +
-                 r[2] * maps.director[2][k]);
-            }
-        }
-    };
-
-    for (unsigned int a = 0; a < 2; ++a)
-      {
-        const double phi = -2. / 3 * geometry.mean_factor[a];
-        for (unsigned int face = 0; face < 2; ++face)
-          {
-            const Tensor<1, 3> &slope    = vectors.slope[face][a];
-            const double        phi_zeta = phi * geometry.zeta_ratio[face][a];
-            add(tangential(a, face), face, a, phi * slope, nullptr, nullptr);
-
-            const Tensor<1, 3> b = phi_zeta * slope;
-            add(transverse(a, face),
-                face,
-                a,
-                phi_zeta * vectors.director[a],
-                nullptr,
-                &b);
-
-            const double       half = face_sign[face] / 2;
-            const Tensor<1, 3> m    = half * slope;
-            add(StrainMeans::twist_mode(a),
-                face,
-                a,
-                half * vectors.mean[face][1 - a],
-                &m,
-                nullptr);
-          }
-      }
-  }
-
-
-  namespace
-  {
-    void
-    SecondVariation::add_means(const ElementGeometry   &geometry,
-                               const StrainMeans::Maps &maps,
-                               const Modes::Vector     &H)
-    {
-      using StrainMeans::Maps;
-      constexpr unsigned int      n = Maps::n_columns;
-      const StrainMeans::Coupling coupling(geometry, H);
-
-      // Every term is a product of the slope of a tangent and one other vector.
-      alignas(64) PartMatrix of_face[2];
-      Maps::Matrix           director_even[2], director_odd[2];
-      for (unsigned int face = 0; face < 2; ++face)
-        {
-          alignas(64) std::array<Maps::Matrix, 2> X, Y;
-          for (unsigned int a = 0; a < 2; ++a)
-            {
-              const double slope    = coupling.slope[face][a] / 2;
-              const double twist    = coupling.twist[face][a];
-              const double director = coupling.director[face][a];
-              for (unsigned int i = 0; i < 3; ++i)
-                for (unsigned int k = 0; k < n; ++k)
-                  {
-                    X[a][i][k] = Maps::sign(a, k) * maps.tangent[face][a][i][k];
-                    Y[a][i][k] = slope * X[a][i][k] +
-                                 twist * maps.tangent[face][1 - a][i][k];
-                    const double x = director * X[a][i][k];
-                    director_even[a][i][k] =
-                      (face == 0 ? x : director_even[a][i][k] + x);
-                    director_odd[a][i][k] =
-                      (face == 0 ? -x : director_odd[a][i][k] + x);
-                  }
-            }
-          for (unsigned int k = 0; k < n; ++k)
-            for (unsigned int l = 0; l < n; ++l)
-              of_face[face][k][l] =
-                X[0][0][k] * Y[0][0][l] + X[0][1][k] * Y[0][1][l] +
-                X[0][2][k] * Y[0][2][l] + X[1][0][k] * Y[1][0][l] +
-                X[1][1][k] * Y[1][1][l] + X[1][2][k] * Y[1][2][l];
-        }
-      for (unsigned int k = 0; k < n; ++k)
-        for (unsigned int l = 0; l < n; ++l)
-          {
-            sum[k][l] += of_face[1][k][l] + of_face[0][k][l];
-            difference[k][l] += of_face[1][k][l] - of_face[0][k][l];
-          }
-
-      const auto multiply = [&](const Maps::Matrix(&x)[2], PartMatrix &result) {
-        for (unsigned int q = 0; q < 4; ++q)
-          {
-            const double d_beta = 2 / geometry.vertices[q].thickness;
-            alignas(64) Maps::Matrix at_q;
-            for (unsigned int i = 0; i < 3; ++i)
-              for (unsigned int l = 0; l < n; ++l)
-                at_q[i][l] = d_beta * (MeanVectors::sign(0, q) * x[0][i][l] +
-                                       MeanVectors::sign(1, q) * x[1][i][l]);
-            for (unsigned int j = 0; j < 3; ++j)
-              for (unsigned int l = 0; l < n; ++l)
-                result[3 * q + j][l] +=
-                  maps.director[0][3 * q + j] * at_q[0][l] +
-                  maps.director[1][3 * q + j] * at_q[1][l] +
-                  maps.director[2][3 * q + j] * at_q[2][l];
-          }
-      };
-      // by the mean with the director, and by half the difference with it
-      multiply(director_even, director_sum);
-      multiply(director_odd, director_difference);
-
-      if (maps.tapered)
-        for (unsigned int face = 0; face < 2; ++face)
-          for (unsigned int a = 0; a < 2; ++a)
-            {
-              const double slope    = coupling.slope[face][a] / 2;
-              const double twist    = coupling.twist[face][a];
-              const double director = coupling.director[face][a];
-              for (unsigned int k = 0; k < n; ++k)
-                {
-                  const double d_beta = 2 / geometry.vertices[k / 3].thickness;
-                  const double sign_k = Maps::sign(a, k);
-                  const double tilt =
-                    d_beta * sign_k * maps.tilt[face][a][k / 3];
-                  const double tilt_c = d_beta * maps.tilt[face][1 - a][k / 3];
-                  for (unsigned int l = 0; l < n; ++l)
-                    {
-                      const double e_beta =
-                        2 / geometry.vertices[l / 3].thickness;
-                      const double sign_l = Maps::sign(a, l);
-                      double       by_own = 0, by_other = 0, both = 0;
-                      for (unsigned int i = 0; i < 3; ++i)
-                        {
-                          const double x = sign_l * maps.tangent[face][a][i][l];
-                          const double y = maps.tangent[face][1 - a][i][l];
-                          by_own += maps.director[i][k] * x;
-                          by_other += maps.director[i][k] * y;
-                          both += maps.director[i][k] * maps.director[i][l];
-                        }
-                      const double value =
-                        tilt * (2 * slope * by_own + twist * by_other) +
-                        tilt_c * twist * by_own;
-                      director_sum[k][l] += value;
-                      director_difference[k][l] +=
-                        MixedElement::face_sign[face] * value +
-                        tilt * both * e_beta *
-                          ((slope * maps.tilt[face][a][l / 3] + director) *
-                             sign_l +
-                           twist * maps.tilt[face][1 - a][l / 3]);
-                    }
-                }
-            }
-    }
-  } // namespace
-
-
-  void
-  MixedElement::add_director_terms(StrainMatrix &B) const
-  {
-    for (unsigned int m = 0; m < 3; ++m)
-      {
-        const MeanDirector z =
-          MeanDirector::Form::of_group(geometry, m).apply(director);
-        for (unsigned int q = 0; q < 4; ++q)
-          {
-            const Tensor<1, 3> p =
-              2 / geometry.vertices[q].thickness * z.at_vertex(geometry, q);
-            for (unsigned int i = 0; i < 3; ++i)
-              B[MeanDirector::mode(m)][n_of_part + 3 * q + i] += p[i];
-          }
-      }
-  }
-
-
   void
   MixedElement::shear_matrix(const StrainMatrix &B, ShearMatrix &G) const
   {
@@ -1149,19 +797,6 @@ namespace Biface
         strain_matrix(B);
         variation.add_vertices(geometry,
                                Modes::to_vertices(geometry.weight * H));
-        if (with_means())
-          {
-            const StrainMeans::Maps maps(geometry);
-            add_mean_terms(maps, B);
-            variation.add_means(geometry, maps, geometry.weight * H);
-          }
-        if (with_mean_director())
-          {
-            add_director_terms(B);
-            variation.add_director(
-              geometry,
-              MeanDirector::Form::of_resultants(geometry, geometry.weight * H));
-          }
       }
     alignas(64) ShearMatrix G;
     if (with_normal_thickness())

@@ -70,9 +70,9 @@ namespace Biface
 
 
   ModeStiffness::ModeStiffness(const Resultants::Matrix &stiffness,
-                               const StrainSampling      sampling,
+                               const Formulation         formulation,
                                const CellTangents       *tangents)
-    : with_twist(sampling == StrainSampling::means)
+    : with_twist(formulation == Formulation::standard)
   {
     for (unsigned int m = 0; m < D.size(); ++m)
       {

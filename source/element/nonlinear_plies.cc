@@ -39,12 +39,12 @@ namespace Biface
   } // namespace
 
 
-  NonlinearPlies::NonlinearPlies(const Laminate      &laminate,
-                                 const StrainSampling sampling,
-                                 const CellTangents  *tangents)
+  NonlinearPlies::NonlinearPlies(const Laminate     &laminate,
+                                 const Formulation   formulation,
+                                 const CellTangents *tangents)
     : points(laminate.ply_points())
     , cords(laminate.cord_points())
-    , with_twist(sampling == StrainSampling::means)
+    , with_twist(formulation == Formulation::standard)
   {
     if (tangents)
       {
@@ -80,7 +80,7 @@ namespace Biface
         }
     // at small strains the thickness strains that vary must have the linear
     // law, or nearly incompressible layers lock
-    ModeStiffness released(laminate.stiffness(), sampling, tangents);
+    ModeStiffness released(laminate.stiffness(), formulation, tangents);
     released.release_thickness_strain(laminate.stiffness_of_slack_cords(),
                                       tangents);
     for (unsigned int m = 1; m < Modes::groups.size(); ++m)

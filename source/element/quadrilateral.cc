@@ -143,9 +143,9 @@ namespace Biface
           const double ratio = length / thickness;
           return 1 / (1 + ratio * ratio / 12);
         };
-        phi[a] = (options.sampling == StrainSampling::means
-                    ? factor_of(2 * g_middle[1 - a].norm(), mean_thickness)
-                    : 0.);
+        phi[a] =
+          (options.means ? factor_of(2 * g_middle[1 - a].norm(), mean_thickness)
+                         : 0.);
         phi_director[a] =
           (options.mean_director ? factor_of(2 * g_middle[a].norm(), wall)
                                  : 0.);
@@ -157,7 +157,8 @@ namespace Biface
                            (1 - components[face][0] * components[face][0] -
                             components[face][1] * components[face][1]);
 
-    // see MeanDirector; the constant mode is the mean over the area
+    // with the interpolated director; the constant mode is the mean over the
+    // area
     const double phi_1 = phi_director[0], phi_2 = phi_director[1];
     const double j_1 = gradient_of_area[0] / 3, j_2 = gradient_of_area[1] / 3;
     const double along_1 = 1 - 2. / 3 * phi_1 * phi_2;
@@ -231,7 +232,7 @@ namespace Biface
             const auto  &t       = tangents.faces[face];
             const double along   = of_face[a] * t[a];
             product[face][face]  = along * along;
-            if (options.sampling == StrainSampling::vertices)
+            if (!options.means)
               continue;
             product[face][2] =
               face_sign[face] * (of_face[a] * t[0]) * (of_face[a] * t[1]);
@@ -241,13 +242,13 @@ namespace Biface
                               (of_face[0] * t[1]) * (of_face[1] * t[0])) /
                              2;
           }
-        if (options.sampling == StrainSampling::vertices)
+        if (!options.means)
           product[2][2] = 1;
         varying_tangential[a] = invert(product);
         for (unsigned int i = 0; i < 3; ++i)
           for (unsigned int face = 0; face < 2; ++face)
             varying_tangential[a][i][face] *= soft;
-        if (options.sampling == StrainSampling::vertices)
+        if (!options.means)
           varying_tangential[a][2] = 0;
       }
   }

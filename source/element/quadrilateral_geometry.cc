@@ -93,8 +93,8 @@ namespace Biface
 
   std::shared_ptr<const Quadrilateral>
   make_quadrilateral(const QuadrilateralPoints &points,
-                     const StrainSampling       sampling,
-                     const ThicknessStrain      thickness_strain)
+                     const Formulation          formulation,
+                     const bool                 normal_thickness)
   {
     Quadrilateral::Shape shape;
     for (unsigned int q = 0; q < 4; ++q)
@@ -105,8 +105,8 @@ namespace Biface
     shape.heights   = points.heights;
     shape.direction = points.direction;
     Quadrilateral::Options options;
-    options.sampling       = sampling;
-    options.mean_director  = (thickness_strain != ThicknessStrain::vertices);
+    options.means          = (formulation == Formulation::standard);
+    options.mean_director  = normal_thickness;
     options.wall_thickness = points.wall_thickness;
     return std::make_shared<const Quadrilateral>(shape, options);
   }
@@ -141,15 +141,12 @@ namespace Biface
 
   ElementGeometry
   quadrilateral_geometry(const QuadrilateralPoints &points,
-                         const StrainSampling       sampling,
-                         const ThicknessStrain      thickness_strain)
+                         const bool                 normal_thickness)
   {
     ElementGeometry geometry;
-    geometry.sampling         = sampling;
-    geometry.interpolation    = Interpolation::Cartesian;
-    geometry.thickness_strain = thickness_strain;
+    geometry.normal_thickness = normal_thickness;
     geometry.quadrilateral =
-      make_quadrilateral(points, sampling, thickness_strain);
+      make_quadrilateral(points, geometry.formulation, normal_thickness);
     geometry.along_lines = false;
     geometry.weight      = geometry.quadrilateral->area();
     geometry.stations    = straight_stations(points);

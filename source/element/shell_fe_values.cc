@@ -7,7 +7,6 @@
 #include <biface/element/quadrilateral.h>
 #include <biface/element/quadrilateral_geometry.h>
 #include <biface/element/shell_fe_values.h>
-#include <biface/element/strain_means.h>
 #include <biface/surface/reference_surface.h>
 
 namespace Biface
@@ -15,9 +14,8 @@ namespace Biface
   using namespace dealii;
 
   ShellFEValues::ShellFEValues(const ReferenceSurface &surface,
-                               const StrainSampling    sampling,
-                               const Interpolation     interpolation,
-                               const ThicknessStrain   thickness_strain)
+                               const Formulation       formulation,
+                               const bool              normal_thickness)
     : surface(surface)
     , fe(1)
     , at_vertices(mapping,
@@ -29,9 +27,10 @@ namespace Biface
                 QMidpoint<2>(),
                 update_quadrature_points | update_JxW_values)
   {
-    geometry.sampling         = sampling;
-    geometry.interpolation    = interpolation;
-    geometry.thickness_strain = thickness_strain;
+    Assert(formulation != Formulation::paper || !normal_thickness,
+           ExcNotImplemented());
+    geometry.formulation      = formulation;
+    geometry.normal_thickness = normal_thickness;
   }
 
 
@@ -84,7 +83,7 @@ namespace Biface
     set_stations(face_heights);
 
     center = surface.evaluate(surface.pull_back(at_center.quadrature_point(0)));
-    if (geometry.interpolation == Interpolation::Cartesian)
+    if (geometry.formulation != Formulation::paper)
       {
         interpolate_positions(face_heights, wall_thickness);
         return;
@@ -93,38 +92,13 @@ namespace Biface
     const ThicknessMetric metric(center.curvature, heights_at_center);
     geometry.weight = JxW() * metric.zeta_bar[0] * metric.zeta_bar[1];
     geometry.vertex_areas.fill(geometry.weight / 4);
-
-    const double thickness = heights_at_center[1] - heights_at_center[0];
-    for (unsigned int a = 0; a < 2; ++a)
-      {
-        const unsigned int c      = 1 - a;
-        double             length = 0;
-        for (unsigned int q = 0; q < 4; ++q)
-          length += geometry.vertices[q].metric.zeta_bar[c] /
-                    std::abs(geometry.vertices[q].slope[c]) / 4;
-        // about 1 in cells shorter than the wall is thick, about 0 in thin
-        // shells, which would lock with 1
-        const double ratio      = length / thickness;
-        geometry.mean_factor[a] = 1 / (1 + ratio * ratio / 12);
-        const double to_wall =
-          length / (wall_thickness > 0 ? wall_thickness : thickness);
-        geometry.director_factor[c] = 1 / (1 + to_wall * to_wall / 12);
-        for (unsigned int face = 0; face < 2; ++face)
-          {
-            geometry.zeta_ratio[face][a] = 0;
-            for (const ElementGeometry::Vertex &vertex : geometry.vertices)
-              geometry.zeta_ratio[face][a] +=
-                vertex.metric.zeta[face][a] / vertex.metric.zeta_bar[a] / 4;
-          }
-      }
-    geometry.undeformed = StrainMeans::undeformed(geometry);
   }
 
 
   void
   ShellFEValues::set_stations(const FaceHeights &face_heights)
   {
-    if (geometry.interpolation == Interpolation::Cartesian)
+    if (geometry.formulation != Formulation::paper)
       {
         geometry.stations = straight_stations({points, face_heights, {}, 0});
         return;
@@ -207,8 +181,8 @@ namespace Biface
 
     geometry.quadrilateral = make_quadrilateral(
       {points, face_heights, center.frame[0], wall_thickness},
-      geometry.sampling,
-      geometry.thickness_strain);
+      geometry.formulation,
+      geometry.normal_thickness);
     geometry.weight = geometry.quadrilateral->area();
     geometry.vertex_areas.fill(geometry.weight / 4);
     // the modes of lines of curvature are components in their frame

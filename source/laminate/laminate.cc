@@ -212,31 +212,27 @@ namespace Biface
             const double b_ab33 = b[i[0]][i[1]][2][2];
             for (unsigned int p = 0; p < 2; ++p)
               {
-                // 'asymmetric' has the thickness resultant of the full law, but
-                // tangential ones of plane stress: a row without its column
+                // 'asymmetric' has the thickness resultant of the
+                // three-dimensional law, but tangential ones of plane stress: a
+                // row without its column
                 f[ab][p] += b_ab33 / b_3333 * w.first[ab][p];
-                if (law != ThicknessLaw::symmetric)
+                if (law == ThicknessLaw::asymmetric)
                   D[Resultants::thickness][tangential(ab, p)] +=
-                    b_ab33 * w.stressed[ab][p];
-                if (law == ThicknessLaw::full)
-                  D[tangential(ab, p)][Resultants::thickness] +=
                     b_ab33 * w.stressed[ab][p];
               }
             for (unsigned int cd = 0; cd < 3; ++cd)
               {
                 const auto  &j      = tangential_pairs[cd];
-                const double b_abcd = b[i[0]][i[1]][j[0]][j[1]];
-                const double q_abcd =
-                  b_abcd - b_ab33 * b[2][2][j[0]][j[1]] / b_3333;
+                const double q_abcd = b[i[0]][i[1]][j[0]][j[1]] -
+                                      b_ab33 * b[2][2][j[0]][j[1]] / b_3333;
                 for (unsigned int p = 0; p < 2; ++p)
                   for (unsigned int q = 0; q < 2; ++q)
                     D[tangential(ab, p)][tangential(cd, q)] +=
-                      (law == ThicknessLaw::full ? b_abcd : q_abcd) *
-                      w.second[ab][cd][p][q];
+                      q_abcd * w.second[ab][cd][p][q];
               }
           }
 
-        if (law != ThicknessLaw::symmetric)
+        if (law == ThicknessLaw::asymmetric)
           D[Resultants::thickness][Resultants::thickness] += b_3333 * w.area;
       }
 
@@ -619,7 +615,8 @@ namespace Biface
         stress                         = b * e;
         if (law == ThicknessLaw::asymmetric)
           {
-            // tangential stresses of plane stress, the others of the full law
+            // tangential stresses of plane stress, the others of the
+            // three-dimensional law
             const double S_33 = stress[2][2];
             e[2][2] -= S_33 / b[2][2][2][2];
             stress       = b * e;

@@ -138,11 +138,12 @@ namespace Biface
     add_choice(prm,
                "Thickness law",
                law,
-               {"symmetric", "asymmetric", "full"},
+               {"symmetric", "asymmetric"},
                "How the thickness strain enters the stiffness: 'symmetric' "
-               "(constant thickness stress, eliminated; free of locking), "
-               "'asymmetric' (the paper's law, with an unsymmetric tangent) "
-               "or 'full' (three-dimensional law; locks in bending).");
+               "(constant thickness stress, eliminated; free of locking) or "
+               "'asymmetric' (the law of Grigolyuk, Kulikov and Plotnikova "
+               "(2004), with an unsymmetric tangent, for 'Formulation = "
+               "paper').");
     add_parsed(prm,
                "Transverse shear",
                "constant strain",
@@ -291,11 +292,6 @@ namespace Biface
                        std::to_string(max_layers) + " are allowed.");
     if (n_layers == 1)
       return;
-    if (law == ThicknessLaw::asymmetric)
-      throw InputError(
-        "the entry 'Laminate/Thickness law' must be 'symmetric' or 'full' with "
-        "several layers ('Laminate/Layers'): the thickness stress would "
-        "converge to a wrong limit with 'asymmetric'.");
     if (shear_law.kind == TransverseShearLaw::Kind::factor)
       throw InputError(
         "the entry 'Laminate/Transverse shear' must be 'constant strain' or "

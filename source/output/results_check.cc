@@ -245,12 +245,11 @@ namespace Biface
           forces.interpolation, forces.largest_reaction, forces.nodal_loads) +
         ", is part of the balance of forces (line 'interpolation' of "
         "forces.csv); smaller cells reduce it" +
-        (equations.mesh.interpolation == Interpolation::Cartesian
+        (equations.mesh.formulation != Formulation::paper
            ? "."
-           : ", and 'Element/Interpolation = Cartesian' with cells of 10 "
-             "degrees or less has none."));
-    if (!checked_cells &&
-        equations.mesh.interpolation == Interpolation::Cartesian)
+           : ", and 'Formulation = standard' with cells of 10 degrees or less "
+             "has none."));
+    if (!checked_cells && equations.mesh.formulation != Formulation::paper)
       {
         constexpr double remarkable_turn = numbers::PI / 6;
         const double     turn            = largest_turn(equations.mesh);
@@ -259,8 +258,8 @@ namespace Biface
           warnings.push_back(
             "Warning: cells turn by up to " +
             in_digits(turn * 180 / numbers::PI, "%.3g") +
-            " degrees, but with 'Element/Interpolation = Cartesian' they are "
-            "flat; make them narrower, 10 degrees or less.");
+            " degrees, but except with 'Formulation = paper' they are flat; make "
+            "them narrower, 10 degrees or less.");
       }
     const WorstStrains worst =
       worst_strains(equations.mesh, equations.internal_forces(), state);

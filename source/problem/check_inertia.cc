@@ -81,7 +81,7 @@ namespace Biface
         refuse(laminate.law == ThicknessLaw::asymmetric,
                "Laminate/Thickness law",
                "asymmetric",
-               "'symmetric' or 'full'");
+               "'symmetric'");
         // its forces on the nodes have no energy
         refuse((stage.contact || !stage.bodies.empty()) &&
                  contact.condition.mortar_matrix == MortarMatrix::consistent,

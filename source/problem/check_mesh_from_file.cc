@@ -71,6 +71,9 @@ namespace Biface
         throw InputError("Surface/Imperfection/Formula",
                          surface.imperfection.formula,
                          "it must be a formula of x, y and z" + why);
+    if (formulation != Formulation::standard)
+      throw InputError("the entry 'Formulation' must be 'standard'" + why +
+                       ".");
     if (laminate.integrals == ThicknessIntegrals::shell)
       throw InputError("Laminate/Integrals",
                        "shell",

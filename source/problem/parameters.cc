@@ -68,7 +68,23 @@ namespace Biface
           "Material " + material_names[i], materials[i], EntryKind::plies);
       }
     add_section("Laminate", laminate, EntryKind::plies);
-    add_section("Element", element);
+    // the element of the paper remains a choice, with which its results can be
+    // repeated
+    add_choice(
+      prm,
+      "Formulation",
+      formulation,
+      {"standard", "vertices", "paper"},
+      "The element. 'standard': the faces of a cell and their displacement "
+      "vectors are bilinear, so that no rigid motion strains it; cells are flat "
+      "or warped quadrilaterals of any shape. 'vertices': the same, with "
+      "strains that are sampled at the vertices alone, for comparisons; where "
+      "the shell is compressed, it may buckle from node to node. 'paper': the "
+      "element of Grigolyuk, Kulikov and Plotnikova (2004), with strains of the "
+      "vertices and components of the displacements, in the frames of the "
+      "surface, that are bilinear: it knows the curvature inside a cell, but "
+      "where the frames turn, a rigid motion strains it. For one of "
+      "'Laminate/Layers' and not for meshes of files.");
     points.add_parameters(prm);
     add_section("Supports", supports);
     prm.enter_subsection("Loads", EntryKind::loads);
@@ -199,12 +215,31 @@ namespace Biface
          surface.meridian ==
            ReferenceSurface::Parameters::MeridianType::cord_equilibrium});
     surface.imperfection.check(revolution);
+    check_formulation();
     // what parts demand of each other, once each of them is valid
     check_densities();
     check_laws();
     check_imperfection();
     check_heat();
     check_rolling();
+  }
+
+
+  void
+  Parameters::check_formulation() const
+  {
+    // the thickness stress of several layers would converge to a wrong limit
+    // with the law of the paper, and their shear needs another thickness strain
+    // than that of its element
+    if (formulation == Formulation::paper && laminate.n_layers() > 1)
+      throw InputError("Formulation",
+                       "paper",
+                       "it must be 'standard' with several 'Laminate/Layers'");
+    if (formulation != Formulation::paper &&
+        laminate.law == ThicknessLaw::asymmetric)
+      throw InputError("Laminate/Thickness law",
+                       "asymmetric",
+                       "it must be 'symmetric' without 'Formulation = paper'");
   }
 
 

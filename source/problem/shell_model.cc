@@ -148,25 +148,21 @@ namespace Biface
     check_memory(parameters, given, communicator);
     const Layup                   layup  = make_layup(parameters, finest);
     const std::vector<NamedPoint> points = parameters.points.on(*surface);
-    const auto                    mesh =
-      surface->has_chart()
-                           ? std::make_shared<ShellMesh>(communicator,
-                                      std::move(surface),
-                                      given,
-                                      layup,
-                                      parameters.supports,
-                                      points,
-                                      parameters.element.sampling,
-                                      parameters.element.interpolation,
-                                      parameters.element.thickness_strain)
-                           : std::make_shared<ShellMesh>(communicator,
-                                      std::move(surface),
-                                      given,
-                                      parameters.surface.mesh,
-                                      layup,
-                                      parameters.supports,
-                                      points,
-                                      parameters.element.thickness_strain);
+    const auto                    mesh   = surface->has_chart()
+                                             ? std::make_shared<ShellMesh>(communicator,
+                                                      std::move(surface),
+                                                      given,
+                                                      layup,
+                                                      parameters.supports,
+                                                      points,
+                                                      parameters.formulation)
+                                             : std::make_shared<ShellMesh>(communicator,
+                                                      std::move(surface),
+                                                      given,
+                                                      parameters.surface.mesh,
+                                                      layup,
+                                                      parameters.supports,
+                                                      points);
     if (!parameters.surface.imperfection.is_zero())
       mesh->add_imperfection(Imperfection(
         parameters.surface.imperfection,

@@ -26,13 +26,6 @@ namespace Biface
   void
   Newton::Parameters::add_parameters(EntryDeclarations &prm)
   {
-    add_choice(prm,
-               "Iteration",
-               iteration,
-               {"mixed", "substituted"},
-               "'mixed' treats the resultants of every element as unknowns "
-               "of the iteration, which allows large steps; 'substituted' "
-               "computes them from the displacements.");
     prm.add_parameter("Maximum iterations",
                       max_iterations,
                       "Number of iterations after which a step has failed.",

@@ -53,7 +53,7 @@ namespace Biface
         change *= increment;
         run.equations.update(guess.state, change, NewtonIteration::substituted);
         const Attempt attempt =
-          attempt_step(newton, run, along, guess, newton.parameters.iteration);
+          attempt_step(newton, run, along, guess, NewtonIteration::mixed);
         iterations += attempt.result.iterations;
         if (attempt.result.stopped)
           return attempt;
@@ -80,7 +80,7 @@ namespace Biface
                                run,
                                trial,
                                {reached.state, trial.mu},
-                               newton.parameters.iteration);
+                               NewtonIteration::mixed);
         iterations += reached.result.iterations;
         if (!reached.result.converged && !reached.result.stopped)
           return fail(reached.result.failure.message);

@@ -92,7 +92,7 @@ namespace Biface
           run,
           trial,
           guess,
-          newton.parameters.iteration,
+          NewtonIteration::mixed,
           easing > 1 ? run.laws.with_friction(laws->at(easing)) : run.laws);
         iterations += attempt.result.iterations;
         attempt.result.iterations = iterations;

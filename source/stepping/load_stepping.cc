@@ -338,17 +338,20 @@ namespace Biface
     if (run.stage.inertia)
       return attempt_step_in_time(newton_in_time, run, trial);
     // each further attempt below answers another cause of divergence
-    const NewtonIteration iteration = newton.parameters.iteration;
-    const InitialGuess    guess     = predict(run, trial, true);
-    Attempt attempt = attempt_step(newton, run, trial, guess, iteration);
+    const InitialGuess guess = predict(run, trial, true);
+    Attempt            attempt =
+      attempt_step(newton, run, trial, guess, NewtonIteration::mixed);
     if (attempt.result.failed() && guess.zone_given)
       {
         out << "  not converged: " << attempt.result.failure.message
             << "; starting from the last steps instead" << std::endl;
         const unsigned int spent = attempt.result.iterations;
         trust_nested             = false;
-        attempt                  = attempt_step(
-          newton, run, trial, predict(run, trial, true), iteration);
+        attempt                  = attempt_step(newton,
+                               run,
+                               trial,
+                               predict(run, trial, true),
+                               NewtonIteration::mixed);
         attempt.result.iterations += spent;
       }
     // where the ground has moved by more than the elastic slip, all nodes
@@ -362,12 +365,15 @@ namespace Biface
         out << "  not converged: " << attempt.result.failure.message
             << "; trying with nodes that stick at first" << std::endl;
         const unsigned int spent = attempt.result.iterations;
-        attempt                  = attempt_step(
-          newton, run, trial, {run.state, trial.mu, true}, iteration);
+        attempt                  = attempt_step(newton,
+                               run,
+                               trial,
+                               {run.state, trial.mu, true},
+                               NewtonIteration::mixed);
         attempt.result.iterations += spent;
       }
     // another iteration has the same matrix
-    if (attempt.result.failed() && iteration == NewtonIteration::mixed &&
+    if (attempt.result.failed() &&
         attempt.result.failure.cause != FailureCause::out_of_memory)
       {
         out << "  not converged: " << attempt.result.failure.message

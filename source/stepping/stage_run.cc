@@ -183,6 +183,13 @@ namespace Biface
 
 
   Loads
+  StageRun::loads_at(const LoadLevel &level) const
+  {
+    return loads_at(level, laws);
+  }
+
+
+  Loads
   StageRun::loads_at(const LoadLevel &level, const ContactLaws &laws) const
   {
     Loads loads = loads_without_contact(level);

@@ -33,13 +33,12 @@ namespace Biface
           << (n == 1 ? " negative pivot" : " negative pivots")
           << ", and a small motion grows" << std::endl;
     if (run.stage.inertia && !warned_of_rigid_motions &&
-        mesh.interpolation == Interpolation::components &&
+        mesh.formulation == Formulation::paper &&
         mesh.get_surface().get_periodicity()[1] > 0)
       {
-        out
-          << "  Warning: with 'Element/Interpolation = components' rigid "
-          << "motions strain a curved shell, so that momenta are kept up to the "
-          << "error of the mesh only; 'Cartesian' keeps them" << std::endl;
+        out << "  Warning: with 'Formulation = paper' rigid motions strain a "
+            << "curved shell, so that momenta are kept up to the error of the "
+            << "mesh only; 'standard' keeps them" << std::endl;
         warned_of_rigid_motions = true;
       }
   }

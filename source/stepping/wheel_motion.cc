@@ -6,6 +6,8 @@
 #include <limits>
 #include <sstream>
 
+#include <biface/stepping/load_level.h>
+#include <biface/stepping/stage.h>
 #include <biface/stepping/wheel_motion.h>
 
 namespace Biface

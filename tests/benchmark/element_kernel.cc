@@ -2,8 +2,7 @@
 
 // Time of the work of a Newton iteration in one cell of the bias tire. With the
 // arguments 'count N', each part runs N times without timing, for callgrind;
-// with 'quadrilateral N', those of a cell with means whose vectors are
-// bilinear, and with 'means N' those of the same cell whose components are.
+// those are the paper's, and with 'quadrilateral N' the standard ones.
 
 #include <string>
 
@@ -29,16 +28,13 @@ namespace
     Modes::Vector             H;
     MixedElement::NodalMatrix K;
 
-    explicit Setup(
-      const StrainSampling sampling      = StrainSampling::vertices,
-      const Interpolation  interpolation = Interpolation::components)
+    explicit Setup(const Formulation formulation = Formulation::paper)
       : laminate(Layup(Layup::Parameters(), cord_ply()).laminate(0))
-      , stiffness(laminate.stiffness(), sampling)
+      , stiffness(laminate.stiffness(), formulation)
       , geometry(make_cells(torus(),
                             {{"40:45:1", "10:15:1"}},
                             laminate.face_heights(),
-                            sampling,
-                            interpolation)[0]
+                            formulation)[0]
                    .geometry)
     {
       for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
@@ -94,19 +90,9 @@ namespace
 
 
   void
-  residual_and_tangent_of_means(benchmark::State &state)
-  {
-    Setup setup(StrainSampling::means);
-    for (auto _ : state)
-      setup.assemble();
-  }
-  BENCHMARK(residual_and_tangent_of_means);
-
-
-  void
   residual_and_tangent_of_quadrilateral(benchmark::State &state)
   {
-    Setup setup(StrainSampling::means, Interpolation::Cartesian);
+    Setup setup(Formulation::standard);
     for (auto _ : state)
       setup.assemble();
   }
@@ -140,10 +126,8 @@ main(int argc, char **argv)
   if (argc == 3)
     {
       const std::string what = argv[1];
-      Setup             setup(what == "count" ? StrainSampling::vertices
-                                  : StrainSampling::means,
-                  what == "quadrilateral" ? Interpolation::Cartesian
-                                                      : Interpolation::components);
+      Setup             setup(what == "quadrilateral" ? Formulation::standard
+                                          : Formulation::paper);
       for (int n = std::stoi(argv[2]); n > 0; --n)
         {
           setup.assemble();

@@ -42,7 +42,7 @@ RUNS = {
     "layers": ["sandwich_plate.prm", "Mesh/Intervals alpha_1=0:5:5",
                "Mesh/Intervals alpha_2=0:5:5"],
     "rubber": ["rubber_balloon.prm", "Mesh/Intervals alpha_1=0:80:8",
-               "Number of stages=1", "Stage 1/Control value=10", "Stage 1/Steps=2"],
+               "Number of stages=1", "Stage 1/Control value=10", "Stage 1/Steps=4"],
     "modes": ["tire_modes.prm", *COARSE, "Number of stages=2", "Stage 1/Modes=0",
               "Stage 2/Modes=4"],
 }

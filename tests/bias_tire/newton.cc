@@ -2,8 +2,7 @@
 
 // The mixed iteration inflates the bias tire in one step of at most 8
 // iterations, presses it by 20 mm in one step of at most 15, and converges
-// quadratically; the substituted iteration gives the same force.
-
+// quadratically.
 
 #include <biface/stepping/step_report.h>
 
@@ -37,11 +36,4 @@ main(int argc, char *argv[])
   check_range("iterations of the contact step", mixed[1].iterations, 1, 15);
   for (const auto &report : mixed)
     check_order(report.residuals);
-
-  const auto substituted = run_bias_tire(
-    {"Stage 1/Steps=2", "Stage 2/Steps=4", "Newton/Iteration=substituted"});
-  check_small("force by the substituted iteration",
-              substituted.back().contact.force - mixed.back().contact.force,
-              1e-7,
-              mixed.back().contact.force);
 }

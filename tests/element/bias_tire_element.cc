@@ -103,7 +103,7 @@ main()
       compare(groups[m], modes, values(groups[m]));
     }
 
-  const ModeStiffness stiffness(D);
+  const ModeStiffness stiffness(D, Formulation::paper);
   const Modes::Vector H = stiffness.resultants(E);
   compare("H_00", H, values("H_00"));
   compare("internal force",

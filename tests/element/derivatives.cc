@@ -48,7 +48,8 @@ namespace
     Layup::Parameters parameters;
     parameters.law = law;
     const ModeStiffness stiffness(
-      Layup(parameters, cord_ply()).laminate(0).stiffness(), geometry.sampling);
+      Layup(parameters, cord_ply()).laminate(0).stiffness(),
+      geometry.formulation);
 
     const double      step = 1e-4;
     const NodalVector V = some_vector<24>(0.3, 1), dV = some_vector<24>(1, 2);
@@ -114,13 +115,11 @@ main()
 {
   const Laminate laminate = Layup(Layup::Parameters(), cord_ply()).laminate(0);
   const std::array<std::string, 2> cell{{"40:45:1", "10:15:1"}};
-  for (const auto &[sampling, interpolation] : all_elements())
+  for (const auto formulation : all_elements())
     {
-      std::cout << "sampling: " << name_of(sampling)
-                << ", interpolation: " << name_of(interpolation) << std::endl;
+      std::cout << "formulation: " << name_of(formulation) << std::endl;
       const ElementGeometry geometry =
-        make_cells(
-          torus(), cell, laminate.face_heights(), sampling, interpolation)[0]
+        make_cells(torus(), cell, laminate.face_heights(), formulation)[0]
           .geometry;
       // faces that rise over the reference surface, both
       const ElementGeometry tapered =
@@ -130,15 +129,12 @@ main()
           FaceHeights([](const double alpha_1) {
             return std::array<double, 2>{{-3 * alpha_1, 2 + 4 * alpha_1}};
           }),
-          sampling,
-          interpolation)[0]
+          formulation)[0]
           .geometry;
 
       test_strain(geometry);
-      const std::string names[] = {"symmetric", "asymmetric", "full"};
-      for (const auto law : {ThicknessLaw::symmetric,
-                             ThicknessLaw::asymmetric,
-                             ThicknessLaw::full})
+      const std::string names[] = {"symmetric", "asymmetric"};
+      for (const auto law : {ThicknessLaw::symmetric, ThicknessLaw::asymmetric})
         for (const bool with_initial_resultants : {false, true})
           {
             std::cout << names[static_cast<unsigned int>(law)] << " law"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// On a torus, the energy of an interpolated infinitesimal rigid motion
+// On a torus, the energy of an infinitesimal rigid motion is zero where vectors
+// are interpolated; where components are, with the paper's formulation, it
 // decreases with the fourth power of the cell size: its strains are of second
 // order.
 
@@ -18,21 +19,21 @@ namespace
   /** The energy of a rigid motion in the linear theory, as a fraction of that
    * of a unit strain over the same area. */
   double
-  relative_energy(const StrainSampling sampling,
-                  const std::string   &n_cells,
-                  const Tensor<1, 3>  &translation,
-                  const Tensor<1, 3>  &rotation)
+  relative_energy(const Formulation   formulation,
+                  const std::string  &n_cells,
+                  const Tensor<1, 3> &translation,
+                  const Tensor<1, 3> &rotation)
   {
     const Laminate laminate =
       Layup(Layup::Parameters(), cord_ply()).laminate(0);
-    const ModeStiffness stiffness(laminate.stiffness(), sampling);
+    const ModeStiffness stiffness(laminate.stiffness(), formulation);
 
     double energy = 0, scale = 0;
     for (const TestCell &cell :
          make_cells(torus(),
                     {{"20:80:" + n_cells, "-10:50:" + n_cells}},
                     laminate.face_heights(),
-                    sampling))
+                    formulation))
       {
         MixedElement::NodalVector V;
         for (unsigned int v = 0; v < 4; ++v)
@@ -57,15 +58,22 @@ namespace
 
 
   void
-  test(const StrainSampling sampling,
-       const std::string   &name,
-       const Tensor<1, 3>  &translation,
-       const Tensor<1, 3>  &rotation)
+  test(const Formulation   formulation,
+       const std::string  &name,
+       const Tensor<1, 3> &translation,
+       const Tensor<1, 3> &rotation)
   {
-    const double coarse = relative_energy(sampling, "8", translation, rotation);
+    const double coarse =
+      relative_energy(formulation, "8", translation, rotation);
+    if (formulation != Formulation::paper)
+      {
+        check_small(name, coarse, 1e-24);
+        return;
+      }
     const double medium =
-      relative_energy(sampling, "16", translation, rotation);
-    const double fine = relative_energy(sampling, "32", translation, rotation);
+      relative_energy(formulation, "16", translation, rotation);
+    const double fine =
+      relative_energy(formulation, "32", translation, rotation);
     check_range(name + ", 8 to 16 cells", coarse / medium, 14, 18);
     check_range(name + ", 16 to 32 cells", medium / fine, 15, 17);
   }
@@ -76,14 +84,17 @@ int
 main()
 {
   const Tensor<1, 3> none;
-  for (const auto sampling : {StrainSampling::vertices, StrainSampling::means})
+  for (const auto formulation : all_elements())
     {
-      std::cout << "sampling: " << name_of(sampling) << std::endl;
-      test(sampling, "translation along x", Tensor<1, 3>({1, 0, 0}), none);
+      std::cout << "formulation: " << name_of(formulation) << std::endl;
+      test(formulation, "translation along x", Tensor<1, 3>({1, 0, 0}), none);
+      test(formulation,
+           "translation along the axle",
+           Tensor<1, 3>({0, 1, 0}),
+           none);
+      test(formulation, "rotation about x", none, Tensor<1, 3>({1, 0, 0}));
       test(
-        sampling, "translation along the axle", Tensor<1, 3>({0, 1, 0}), none);
-      test(sampling, "rotation about x", none, Tensor<1, 3>({1, 0, 0}));
-      test(sampling, "rotation about the axle", none, Tensor<1, 3>({0, 1, 0}));
-      test(sampling, "rotation about z", none, Tensor<1, 3>({0, 0, 1}));
+        formulation, "rotation about the axle", none, Tensor<1, 3>({0, 1, 0}));
+      test(formulation, "rotation about z", none, Tensor<1, 3>({0, 0, 1}));
     }
 }

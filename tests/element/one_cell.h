@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include <biface/element/formulation.h>
 #include <biface/element/mixed_element.h>
 #include <biface/element/shell_fe_values.h>
 #include <biface/surface/chart_grid.h>
@@ -23,6 +24,8 @@
 #include <biface/surface/reference_surface.h>
 #include <biface/surface/surface_of_revolution.h>
 
+#include <name_of.h>
+
 /** The torus of the bias tire. */
 inline Biface::SurfaceOfRevolution
 torus()
@@ -32,30 +35,12 @@ torus()
 }
 
 
-inline std::string
-name_of(const Biface::StrainSampling sampling)
-{
-  return sampling == Biface::StrainSampling::means ? "means" : "vertices";
-}
-
-
-inline std::string
-name_of(const Biface::Interpolation interpolation)
-{
-  return interpolation == Biface::Interpolation::Cartesian ? "Cartesian"
-                                                           : "components";
-}
-
-
 /** All elements there are. */
-inline std::vector<std::pair<Biface::StrainSampling, Biface::Interpolation>>
+inline std::vector<Biface::Formulation>
 all_elements()
 {
-  using namespace Biface;
-  return {{StrainSampling::vertices, Interpolation::components},
-          {StrainSampling::means, Interpolation::components},
-          {StrainSampling::vertices, Interpolation::Cartesian},
-          {StrainSampling::means, Interpolation::Cartesian}};
+  using Biface::Formulation;
+  return {Formulation::paper, Formulation::vertices, Formulation::standard};
 }
 
 
@@ -89,14 +74,13 @@ using FaceHeights = std::function<std::array<double, 2>(const double alpha_1)>;
 
 
 /** The cells of a grid on a surface; see Biface::ChartGrid for the intervals.
- */
+ * @param normal_thickness see Biface::ElementGeometry. */
 inline std::vector<TestCell>
-make_cells(
-  const Biface::ReferenceSurface   &surface,
-  const std::array<std::string, 2> &intervals,
-  const FaceHeights                &face_heights,
-  const Biface::StrainSampling      sampling = Biface::StrainSampling::vertices,
-  const Biface::Interpolation interpolation = Biface::Interpolation::components)
+make_cells(const Biface::ReferenceSurface   &surface,
+           const std::array<std::string, 2> &intervals,
+           const FaceHeights                &face_heights,
+           const Biface::Formulation formulation = Biface::Formulation::paper,
+           const bool                normal_thickness = false)
 {
   using namespace dealii;
 
@@ -109,7 +93,7 @@ make_cells(
   Biface::create_triangulation(
     surface, Biface::ChartGrid(parameters, surface), triangulation);
 
-  Biface::ShellFEValues fe_values(surface, sampling, interpolation);
+  Biface::ShellFEValues fe_values(surface, formulation, normal_thickness);
   std::vector<TestCell> cells;
   for (const auto &cell : triangulation.active_cell_iterators())
     {
@@ -132,18 +116,17 @@ make_cells(
 
 /** The same, of constant thickness. */
 inline std::vector<TestCell>
-make_cells(
-  const Biface::ReferenceSurface   &surface,
-  const std::array<std::string, 2> &intervals,
-  const std::array<double, 2>      &heights,
-  const Biface::StrainSampling      sampling = Biface::StrainSampling::vertices,
-  const Biface::Interpolation interpolation = Biface::Interpolation::components)
+make_cells(const Biface::ReferenceSurface   &surface,
+           const std::array<std::string, 2> &intervals,
+           const std::array<double, 2>      &heights,
+           const Biface::Formulation formulation = Biface::Formulation::paper,
+           const bool                normal_thickness = false)
 {
   return make_cells(surface,
                     intervals,
                     FaceHeights([heights](const double) { return heights; }),
-                    sampling,
-                    interpolation);
+                    formulation,
+                    normal_thickness);
 }
 
 

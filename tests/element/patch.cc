@@ -41,7 +41,7 @@ namespace
    * face; those across the thickness vanish.
    */
   void
-  test(const StrainSampling                       sampling,
+  test(const Formulation                          formulation,
        const std::string                         &name,
        const Theory                               theory,
        const Field                               &displacement,
@@ -54,11 +54,11 @@ namespace
         exact[Resultants::tangential(ab, p)] =
           h / 6 * (2 * stress[p][ab] + stress[1 - p][ab]);
 
-    const ModeStiffness stiffness(laminate.stiffness(), sampling);
+    const ModeStiffness stiffness(laminate.stiffness(), formulation);
     const auto          cells = make_cells(Plane(),
                                   {{"0:30:4:1.3", "-10:10:3:0.7, 10:16:1"}},
                                   laminate.face_heights(),
-                                  sampling);
+                                  formulation);
 
     std::map<unsigned int, std::array<Tensor<1, 3>, 2>> forces;
     std::map<unsigned int, unsigned int>                n_cells;
@@ -122,9 +122,9 @@ namespace
   }
 
   void
-  test_all(const StrainSampling sampling)
+  test_all(const Formulation formulation)
   {
-    std::cout << "sampling: " << name_of(sampling) << std::endl;
+    std::cout << "formulation: " << name_of(formulation) << std::endl;
     {
       // a homogeneous deformation, as large as may be
       const Tensor<2, 2> F({{1.3, 0.2}, {-0.1, 0.9}});
@@ -133,7 +133,7 @@ namespace
       const double       E_33    = -nu / (1 - nu) * (E_11 + E_22);
       const auto         S       = stress(E_11, E_22, C[0][1]);
       const double       thicken = std::sqrt(1 + 2 * E_33) - 1;
-      test(sampling,
+      test(formulation,
            "stretch and shear in the plane, with its change of thickness",
            Theory::nonlinear,
            [&](const Point<3> &x) {
@@ -146,14 +146,14 @@ namespace
 
     // small strains and curvatures
     const double e = 1e-3;
-    test(sampling,
+    test(formulation,
          "stretch along x",
          Theory::linear,
          [&](const Point<3> &x) {
            return e * Tensor<1, 3>({x[0], -nu * x[1], -nu * x[2]});
          },
          {{{{E * e, 0, 0}}, {{E * e, 0, 0}}}});
-    test(sampling,
+    test(formulation,
          "shear in the plane",
          Theory::linear,
          [&](const Point<3> &x) {
@@ -173,22 +173,22 @@ namespace
       };
     };
     const double k = e / h;
-    test(sampling,
+    test(formulation,
          "bending into a cylinder about y",
          Theory::linear,
          bending(k, 0),
          {{stress(-k * h / 2, 0, 0), stress(k * h / 2, 0, 0)}});
-    test(sampling,
+    test(formulation,
          "bending into a cylinder about x",
          Theory::linear,
          bending(0, k),
          {{stress(0, -k * h / 2, 0), stress(0, k * h / 2, 0)}});
-    test(sampling,
+    test(formulation,
          "pure bending, with its anticlastic curvature",
          Theory::linear,
          bending(k, -nu * k),
          {{{{-E * k * h / 2, 0, 0}}, {{E * k * h / 2, 0, 0}}}});
-    test(sampling,
+    test(formulation,
          "twisting",
          Theory::linear,
          [&](const Point<3> &x) {
@@ -203,6 +203,6 @@ namespace
 int
 main()
 {
-  test_all(StrainSampling::vertices);
-  test_all(StrainSampling::means);
+  test_all(Formulation::paper);
+  test_all(Formulation::standard);
 }

@@ -42,14 +42,14 @@ namespace
 
   /** @param exact the strains. */
   void
-  test(const StrainSampling      sampling,
+  test(const Formulation         formulation,
        const std::string        &name,
        const bool                linear,
        const Field              &displacement,
        const Resultants::Vector &exact)
   {
     const Laminate      laminate = plies();
-    const ModeStiffness stiffness(laminate.stiffness(), sampling);
+    const ModeStiffness stiffness(laminate.stiffness(), formulation);
 
     std::map<unsigned int, MixedElement::NodalVector> forces;
     std::map<unsigned int, unsigned int>              n_cells;
@@ -58,7 +58,7 @@ namespace
          make_cells(Plane(),
                     {{"0:30:4:1.3", "-10:10:3:0.7, 10:16:1"}},
                     laminate.face_heights(),
-                    sampling))
+                    formulation))
       {
         MixedElement::NodalVector V;
         for (unsigned int v = 0; v < 4; ++v)
@@ -106,9 +106,9 @@ int
 main()
 {
   using namespace Resultants;
-  for (const auto sampling : {StrainSampling::vertices, StrainSampling::means})
+  for (const auto formulation : {Formulation::paper, Formulation::standard})
     {
-      std::cout << "sampling: " << name_of(sampling) << std::endl;
+      std::cout << "formulation: " << name_of(formulation) << std::endl;
 
       // a large homogeneous deformation
       const Tensor<2, 3> F({{1.1, 0.2, 0}, {-0.1, 0.9, 0}, {0, 0, 0}});
@@ -122,7 +122,7 @@ main()
         }
       exact[thickness] = thickness_strain(exact);
       test(
-        sampling,
+        formulation,
         "homogeneous deformation",
         false,
         [&](const Point<3> &x) {
@@ -144,7 +144,7 @@ main()
         }
       exact[thickness] = thickness_strain(exact);
       test(
-        sampling,
+        formulation,
         "bending and twisting",
         true,
         [&](const Point<3> &x) {

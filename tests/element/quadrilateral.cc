@@ -36,7 +36,7 @@ namespace
     std::array<unsigned int, 4> vertices;
     ElementGeometry             geometry;
 
-    Cell(const StrainSampling sampling, const unsigned int first)
+    Cell(const Formulation formulation, const unsigned int first)
     {
       // the reference lists nodes counterclockwise
       vertices = {{first, (first + 1) % 4, (first + 3) % 4, (first + 2) % 4}};
@@ -64,12 +64,10 @@ namespace
       shape.direction = vector_at(reference("reference_direction"), 0);
 
       Quadrilateral::Options options;
-      options.sampling          = sampling;
-      options.soft_warp         = (sampling == StrainSampling::means);
-      geometry.sampling         = sampling;
-      geometry.interpolation    = Interpolation::Cartesian;
-      geometry.along_lines      = false;
-      geometry.thickness_strain = ThicknessStrain::vertices;
+      options.means        = (formulation == Formulation::standard);
+      options.soft_warp    = options.means;
+      geometry.formulation = formulation;
+      geometry.along_lines = false;
       geometry.quadrilateral =
         std::make_shared<const Quadrilateral>(shape, options);
       geometry.weight = geometry.quadrilateral->area();
@@ -83,7 +81,7 @@ namespace
       for (unsigned int i = 0; i < Resultants::n; ++i)
         for (unsigned int j = 0; j < Resultants::n; ++j)
           D[i][j] = numbers[Resultants::n * i + j];
-      return ModeStiffness(D, geometry.sampling, geometry.tangents());
+      return ModeStiffness(D, geometry.formulation, geometry.tangents());
     }
 
     /** The nodal displacements of the reference. */
@@ -155,14 +153,15 @@ namespace
 
 
   void
-  test(const StrainSampling sampling, const unsigned int first)
+  test(const Formulation formulation, const unsigned int first)
   {
-    const std::string name = name_of(sampling);
-    const Cell        cell(sampling, first);
+    const Cell        cell(formulation, first);
     const std::string what =
-      name + ", vertex " + std::to_string(first) + " first, ";
+      name_of(formulation) + ", vertex " + std::to_string(first) + " first, ";
     const auto values = [&](const std::string &entry) {
-      return reference(name + "." + entry);
+      return reference(
+        (formulation == Formulation::standard ? "means." : "vertices.") +
+        entry);
     };
     const Quadrilateral &quadrilateral = *cell.geometry.quadrilateral;
     compare(what + "weight",
@@ -193,7 +192,7 @@ namespace
         for (unsigned int m = 1; m < 3; ++m)
           ours.push_back(strains[Modes::mode_of[m][Modes::twist]]);
         auto expected = values("strains_of_V");
-        if (sampling == StrainSampling::vertices)
+        if (formulation == Formulation::vertices)
           {
             ours.resize(22);
             expected.resize(22);
@@ -267,9 +266,9 @@ namespace
 
   /** A turn by 163 degrees and a translation. */
   void
-  test_rigid_motion(const StrainSampling sampling)
+  test_rigid_motion(const Formulation formulation)
   {
-    const Cell         cell(sampling, 0);
+    const Cell         cell(formulation, 0);
     const Tensor<1, 3> axis({2. / 7, -3. / 7, 6. / 7});
     const Tensor<2, 3> turn =
       Physics::Transformations::Rotations::rotation_matrix_3d(
@@ -292,7 +291,7 @@ namespace
     const Modes::Vector       E         = element.strain();
     MixedElement::NodalMatrix K{};
     element.add_tangent(stiffness, Modes::Vector(), K);
-    const std::string what = name_of(sampling) + ", after a turn, ";
+    const std::string what = name_of(formulation) + ", after a turn, ";
     check_small(what + "energy",
                 cell.geometry.weight *
                   Modes::mean_product(stiffness.resultants(E), E) / 2,
@@ -312,9 +311,9 @@ namespace
 
   /** The energy of the cell with a symmetric law, seen from either side. */
   double
-  energy_with_inner_face(const StrainSampling sampling, const bool swapped)
+  energy_with_inner_face(const Formulation formulation, const bool swapped)
   {
-    Cell cell(sampling, 0);
+    Cell cell(formulation, 0);
     // the same faces with the opposite normal are those of a cell whose
     // vertices are numbered the other way
     const auto X = reference("X"), n = reference("normals"),
@@ -336,7 +335,7 @@ namespace
       }
     shape.direction = vector_at(reference("reference_direction"), 0);
     Quadrilateral::Options options;
-    options.sampling = sampling;
+    options.means = (formulation == Formulation::standard);
     cell.geometry.quadrilateral =
       std::make_shared<const Quadrilateral>(shape, options);
 
@@ -372,7 +371,7 @@ namespace
           D[tangential(2, p)][tangential(2, r)] = of_faces * G;
         }
     D[Resultants::thickness][Resultants::thickness] = E;
-    const ModeStiffness stiffness(D, sampling, cell.geometry.tangents());
+    const ModeStiffness stiffness(D, formulation, cell.geometry.tangents());
     const Modes::Vector strain = MixedElement(cell.geometry, V).strain();
     return cell.geometry.quadrilateral->area() *
            Modes::mean_product(stiffness.resultants(strain), strain) / 2;
@@ -383,16 +382,16 @@ namespace
 int
 main()
 {
-  for (const auto sampling : {StrainSampling::means, StrainSampling::vertices})
+  for (const auto formulation : {Formulation::standard, Formulation::vertices})
     for (unsigned int first = 0; first < 4; ++first)
-      test(sampling, first);
-  for (const auto sampling : {StrainSampling::means, StrainSampling::vertices})
+      test(formulation, first);
+  for (const auto formulation : {Formulation::standard, Formulation::vertices})
     {
-      test_rigid_motion(sampling);
-      const double energy = energy_with_inner_face(sampling, false);
-      check_small(name_of(sampling) +
+      test_rigid_motion(formulation);
+      const double energy = energy_with_inner_face(formulation, false);
+      check_small(name_of(formulation) +
                     ", the other face is the inner one, energy",
-                  energy_with_inner_face(sampling, true) - energy,
+                  energy_with_inner_face(formulation, true) - energy,
                   1e-13,
                   energy);
     }

@@ -58,13 +58,13 @@ namespace
   struct Patch
   {
     const Laminate                 laminate;
-    const StrainSampling           sampling;
+    const Formulation              formulation;
     const double                   h;
     std::array<ElementGeometry, 5> geometries;
 
-    Patch(const double thickness, const StrainSampling sampling)
+    Patch(const double thickness, const Formulation formulation)
       : laminate(plies(thickness))
-      , sampling(sampling)
+      , formulation(formulation)
       , h(laminate.face_heights()[1] - laminate.face_heights()[0])
     {
       for (unsigned int c = 0; c < cells.size(); ++c)
@@ -81,10 +81,8 @@ namespace
             }
           shape.direction = Point<3>(0.8, 0.6, 0);
           Quadrilateral::Options options;
-          options.sampling          = sampling;
-          geometry.sampling         = sampling;
-          geometry.interpolation    = Interpolation::Cartesian;
-          geometry.thickness_strain = ThicknessStrain::vertices;
+          options.means        = (formulation == Formulation::standard);
+          geometry.formulation = formulation;
           geometry.quadrilateral =
             std::make_shared<const Quadrilateral>(shape, options);
           geometry.weight = geometry.quadrilateral->area();
@@ -155,7 +153,7 @@ namespace
                 add_face_displacement(faces[face], q, face, V);
             }
           const ModeStiffness stiffness(
-            laminate.stiffness(), sampling, geometry.tangents());
+            laminate.stiffness(), formulation, geometry.tangents());
           const MixedElement at_rest(geometry, MixedElement::NodalVector()),
             deformed(geometry, V);
           const Modes::Vector E =
@@ -207,11 +205,11 @@ namespace
 
 
   void
-  test_all(const double thickness, const StrainSampling sampling)
+  test_all(const double thickness, const Formulation formulation)
   {
     std::cout << "thickness " << thickness
-              << ", sampling: " << name_of(sampling) << std::endl;
-    const Patch  patch(thickness, sampling);
+              << ", formulation: " << name_of(formulation) << std::endl;
+    const Patch  patch(thickness, formulation);
     const double h = patch.h;
 
     {
@@ -332,7 +330,7 @@ namespace
 int
 main()
 {
-  for (const auto sampling : {StrainSampling::means, StrainSampling::vertices})
+  for (const auto formulation : {Formulation::standard, Formulation::vertices})
     for (const double thickness : {0.001, 0.05})
-      test_all(thickness, sampling);
+      test_all(thickness, formulation);
 }

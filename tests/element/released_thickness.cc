@@ -44,11 +44,11 @@ namespace
 
 
   void
-  test_law(const StrainSampling sampling)
+  test_law(const Formulation formulation)
   {
     using Resultants::thickness;
     const Laminate      plies = laminate(1);
-    const ModeStiffness without(plies.stiffness(), sampling);
+    const ModeStiffness without(plies.stiffness(), formulation);
     ModeStiffness       stiffness = without;
     stiffness.release_thickness_strain(plies.stiffness_of_slack_cords());
 
@@ -80,7 +80,7 @@ namespace
         Resultants::Vector strain;
         strain[thickness] = 1;
         const auto &D     = plies.stiffness();
-        const bool  twist = sampling == StrainSampling::means &&
+        const bool  twist = formulation == Formulation::standard &&
                            Modes::mode_of[m][Modes::twist] != Modes::n;
         for (unsigned int sweep = 0; sweep < 20000; ++sweep)
           for (unsigned int s = 0; s < Resultants::n_tangential; ++s)
@@ -112,18 +112,15 @@ namespace
 
 
   void
-  test_slack(const StrainSampling sampling, const Interpolation interpolation)
+  test_slack(const Formulation formulation)
   {
     // cords that vanish in compression
     const Laminate plies = laminate(1e-6);
-    ModeStiffness  stiffness(plies.stiffness(), sampling);
+    ModeStiffness  stiffness(plies.stiffness(), formulation);
     stiffness.release_thickness_strain(plies.stiffness_of_slack_cords());
-    const NonlinearPlies cords(plies, sampling);
-    const TestCell       cell = make_cells(torus(),
-                                     {{"10:20:1", "5:12:1"}},
-                                     plies.face_heights(),
-                                     sampling,
-                                     interpolation)[0];
+    const NonlinearPlies cords(plies, formulation);
+    const TestCell       cell = make_cells(
+      torus(), {{"10:20:1", "5:12:1"}}, plies.face_heights(), formulation)[0];
 
     const auto force_at = [&](const MixedElement::NodalVector &V) {
       const MixedElement  element(cell.geometry, V);
@@ -153,7 +150,7 @@ namespace
     for (unsigned int i = 0; i < 2000; ++i)
       {
         Modes::Vector E = some_vector<Modes::n>(1, 10 + i);
-        if (sampling == StrainSampling::vertices)
+        if (formulation != Formulation::standard)
           for (const auto &modes : Modes::mode_of)
             if (modes[Modes::twist] != Modes::n)
               E[modes[Modes::twist]] = 0;
@@ -190,7 +187,7 @@ namespace
       values.push_back(matrix.eigenvalue(i).real());
     std::sort(values.begin(), values.end());
     // without the twist its two modes have no stiffness
-    const unsigned int first = sampling == StrainSampling::means ? 0 : 2;
+    const unsigned int first = formulation == Formulation::standard ? 0 : 2;
     check_range("lowest eigenvalue over the highest",
                 values[first] / values.back(),
                 1e-5,
@@ -202,12 +199,10 @@ namespace
 int
 main()
 {
-  for (const auto sampling : {StrainSampling::vertices, StrainSampling::means})
+  for (const auto formulation : all_elements())
     {
-      std::cout << "sampling: " << name_of(sampling) << std::endl;
-      test_law(sampling);
-      for (const auto interpolation :
-           {Interpolation::components, Interpolation::Cartesian})
-        test_slack(sampling, interpolation);
+      std::cout << "formulation: " << name_of(formulation) << std::endl;
+      test_law(formulation);
+      test_slack(formulation);
     }
 }

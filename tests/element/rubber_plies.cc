@@ -168,9 +168,9 @@ namespace
 
   /** A warped cell, the direction of whose material is turned by an angle. */
   ElementGeometry
-  skewed_cell(const Laminate       &laminate,
-              const ThicknessStrain thickness_strain,
-              const double          angle = 0)
+  skewed_cell(const Laminate &laminate,
+              const bool      normal_thickness,
+              const double    angle = 0)
   {
     QuadrilateralPoints               points;
     const std::array<Tensor<1, 3>, 4> positions{{Tensor<1, 3>({0, 0, 0}),
@@ -191,18 +191,17 @@ namespace
     points.direction = Tensor<1, 3>({-0.4, 1, 0});
     // in the plane of the cell
     const auto frame =
-      make_quadrilateral(points, StrainSampling::means, thickness_strain)
+      make_quadrilateral(points, Formulation::standard, normal_thickness)
         ->material_frame();
     points.direction = std::cos(angle) * frame[0] + std::sin(angle) * frame[1];
-    return quadrilateral_geometry(
-      points, StrainSampling::means, thickness_strain);
+    return quadrilateral_geometry(points, normal_thickness);
   }
 
 
   /** The force and the tangent of a cell do not depend on the direction from
    * which the angles of plies count. */
   void
-  test_direction(const ThicknessStrain thickness_strain)
+  test_direction(const bool normal_thickness)
   {
     MixedElement::NodalMatrix K[2]{};
     NodalVector               force[2];
@@ -214,20 +213,20 @@ namespace
                        : "cord: 1 @ -5, cords: 1 @ -65, Yeoh: 1 @ 10",
                 "5/6",
                 ThicknessIntegrals::plate,
-                thickness_strain == ThicknessStrain::normal,
+                normal_thickness,
                 false)
             .laminate(0);
         const ElementGeometry geometry = skewed_cell(
-          laminate, thickness_strain, k == 0 ? 0 : 35 * numbers::PI / 180);
+          laminate, normal_thickness, k == 0 ? 0 : 35 * numbers::PI / 180);
         const NonlinearPlies law(
-          laminate, StrainSampling::means, geometry.tangents());
+          laminate, Formulation::standard, geometry.tangents());
         const MixedElement        element(geometry, V);
         NonlinearPlies::Stiffness stiffness;
         law.stiffness(element.strain(), stiffness);
         const Modes::Vector H = law.resultants(element.strain());
         force[k]              = element.internal_force(H, Modes::Vector());
         element.add_tangent(
-          ModeStiffness(Resultants::Matrix(), StrainSampling::means),
+          ModeStiffness(Resultants::Matrix(), Formulation::standard),
           H,
           K[k],
           &stiffness);
@@ -246,29 +245,27 @@ namespace
   test(const std::string       &plies,
        const std::string       &shear,
        const ThicknessIntegrals integrals,
-       const StrainSampling     sampling,
-       const ThicknessStrain    thickness_strain,
+       const Formulation        formulation,
+       const bool               normal_thickness,
        const bool               relaxing = false,
        const bool               skewed   = false)
   {
-    const Laminate laminate = layup(plies,
-                                    shear,
-                                    integrals,
-                                    thickness_strain == ThicknessStrain::normal,
-                                    relaxing)
-                                .laminate(0);
-    ElementGeometry geometry  = skewed ? skewed_cell(laminate, thickness_strain)
+    const Laminate laminate =
+      layup(plies, shear, integrals, normal_thickness, relaxing).laminate(0);
+    const ElementGeometry geometry = skewed
+                                       ? skewed_cell(laminate, normal_thickness)
                                        : make_cells(torus(),
-                                                   {{"40:45:1", "10:15:1"}},
-                                                   laminate.face_heights(),
-                                                   sampling)[0]
-                                          .geometry;
-    geometry.thickness_strain = thickness_strain;
-    const NonlinearPlies law(laminate, sampling, geometry.tangents());
-    ModeStiffness linear(laminate.stiffness(), sampling, geometry.tangents());
+                                                    {{"40:45:1", "10:15:1"}},
+                                                    laminate.face_heights(),
+                                                    formulation,
+                                                    normal_thickness)[0]
+                                           .geometry;
+    const NonlinearPlies  law(laminate, formulation, geometry.tangents());
+    ModeStiffness         linear(
+      laminate.stiffness(), formulation, geometry.tangents());
     linear.release_thickness_strain(laminate.stiffness_of_slack_cords(),
                                     geometry.tangents());
-    const ModeStiffness none(Resultants::Matrix(), sampling);
+    const ModeStiffness none(Resultants::Matrix(), formulation);
     check_true("  whole law", law.is_whole_law());
 
     std::vector<double> internal(law.n_internal());
@@ -340,6 +337,13 @@ namespace
                 1e-4,
                 linear.resultants(small).norm());
   }
+
+
+  std::string
+  in_words(const bool normal_thickness)
+  {
+    return normal_thickness ? ", normal thickness" : "";
+  }
 } // namespace
 
 
@@ -353,56 +357,58 @@ main()
       test(std::string(name) + ": 3 @ 20",
            "constant strain",
            Integrals::plate,
-           StrainSampling::vertices,
-           ThicknessStrain::vertices);
+           Formulation::paper,
+           false);
     }
   const std::string mixed =
     "cord: 1 @ 30, neo-Hooke: 0.5 @ 0, cords: 1 @ -30, Yeoh: 1 @ 0";
   for (const std::string shear : {"constant strain", "5/6", "equilibrium"})
     for (const auto integrals : {Integrals::plate, Integrals::shell})
-      for (const auto thickness_strain : {ThicknessStrain::vertices,
-                                          ThicknessStrain::mean_director,
-                                          ThicknessStrain::normal})
+      for (const bool normal_thickness : {false, true})
         {
           std::cout << "mixed, shear " << shear << ", integrals "
                     << (integrals == Integrals::plate ? "plate" : "shell")
-                    << ", thickness strain "
-                    << static_cast<int>(thickness_strain) << std::endl;
+                    << in_words(normal_thickness) << std::endl;
           test(
-            mixed, shear, integrals, StrainSampling::means, thickness_strain);
+            mixed, shear, integrals, Formulation::standard, normal_thickness);
         }
-  for (const auto thickness_strain :
-       {ThicknessStrain::vertices, ThicknessStrain::normal})
+  for (const bool normal_thickness : {false, true})
     {
-      std::cout << "mixed, relaxing, thickness strain "
-                << static_cast<int>(thickness_strain) << std::endl;
+      std::cout << "mixed, formulation: vertices" << in_words(normal_thickness)
+                << std::endl;
       test(mixed,
            "equilibrium",
            Integrals::shell,
-           StrainSampling::means,
-           thickness_strain,
+           Formulation::vertices,
+           normal_thickness);
+    }
+  for (const bool normal_thickness : {false, true})
+    {
+      std::cout << "mixed, relaxing" << in_words(normal_thickness) << std::endl;
+      test(mixed,
+           "equilibrium",
+           Integrals::shell,
+           Formulation::standard,
+           normal_thickness,
            true);
     }
-  for (const auto thickness_strain :
-       {ThicknessStrain::vertices, ThicknessStrain::normal})
+  for (const bool normal_thickness : {false, true})
     for (const bool relaxing : {false, true})
       {
         std::cout << "skewed cell, mixed" << (relaxing ? ", relaxing" : "")
-                  << ", thickness strain " << static_cast<int>(thickness_strain)
-                  << std::endl;
+                  << in_words(normal_thickness) << std::endl;
         test(mixed,
              "equilibrium",
              Integrals::plate,
-             StrainSampling::means,
-             thickness_strain,
+             Formulation::standard,
+             normal_thickness,
              relaxing,
              true);
       }
-  for (const auto thickness_strain :
-       {ThicknessStrain::vertices, ThicknessStrain::normal})
+  for (const bool normal_thickness : {false, true})
     {
-      std::cout << "skewed cell, other direction, thickness strain "
-                << static_cast<int>(thickness_strain) << std::endl;
-      test_direction(thickness_strain);
+      std::cout << "skewed cell, other direction" << in_words(normal_thickness)
+                << std::endl;
+      test_direction(normal_thickness);
     }
 }

@@ -2,8 +2,8 @@
 
 // Under a pressure p the tangent shear modulus of a wall with a linear law is G
 // if its thickness strain is that of the distance along the normal, and G - p,
-// from the pressure on the deformed face, with the other ones. That of
-// neo-Hookean rubber is G with any of them.
+// from the pressure on the deformed face, if it is that of the director. That
+// of neo-Hookean rubber is G with both.
 
 #include <biface/element/nonlinear_plies.h>
 #include <biface/laminate/layup.h>
@@ -20,7 +20,7 @@ namespace
   constexpr double G = 2, nu = 0.49; // MPa
 
   Laminate
-  rubber(const MaterialParameters::Type type, const ThicknessStrain strain)
+  rubber(const MaterialParameters::Type type, const bool normal_thickness)
   {
     MaterialParameters material;
     material.name = "rubber";
@@ -33,7 +33,7 @@ namespace
     Layup::Parameters parameters;
     parameters.plies = parse_plies("Laminate/Plies", "rubber: 1 @ 0");
     Layup layup(parameters, {material});
-    layup.set_thickness_strain_along_normal(strain == ThicknessStrain::normal);
+    layup.set_thickness_strain_along_normal(normal_thickness);
     return layup.laminate(0);
   }
 
@@ -42,13 +42,18 @@ namespace
    * displacement of its outer face along itself.
    * @param closer by which that face is closer to the inner one. */
   double
-  tangent_modulus(ElementGeometry                geometry,
+  tangent_modulus(const Formulation              formulation,
                   const MaterialParameters::Type type,
-                  const ThicknessStrain          thickness_strain,
+                  const bool                     normal_thickness,
                   const double                   closer,
                   double                        &pressure)
   {
-    geometry.thickness_strain = thickness_strain;
+    const ElementGeometry geometry = make_cells(Plane(),
+                                                {{"0:1:1", "0:1:1"}},
+                                                {{0, 1}},
+                                                formulation,
+                                                normal_thickness)[0]
+                                       .geometry;
     MixedElement::NodalVector V, shear, across;
     for (unsigned int v = 0; v < 4; ++v)
       {
@@ -56,12 +61,13 @@ namespace
         add_face_displacement(Tensor<1, 3>({1, 0, 0}), v, 1, shear);
         add_face_displacement(Tensor<1, 3>({0, 0, -1}), v, 1, across);
       }
-    const MixedElement        element(geometry, V);
-    const Modes::Vector       E        = element.strain();
-    const Laminate            laminate = rubber(type, thickness_strain);
-    const NonlinearPlies      plies(laminate);
-    const ModeStiffness       linear(plies.is_whole_law() ? Resultants::Matrix()
-                                                    : laminate.stiffness());
+    const MixedElement   element(geometry, V);
+    const Modes::Vector  E        = element.strain();
+    const Laminate       laminate = rubber(type, normal_thickness);
+    const NonlinearPlies plies(laminate, formulation);
+    const ModeStiffness  linear(plies.is_whole_law() ? Resultants::Matrix()
+                                                    : laminate.stiffness(),
+                               formulation);
     NonlinearPlies::Stiffness added;
     plies.stiffness(E, added);
     const Modes::Vector H = linear.resultants(E) + plies.resultants(E);
@@ -81,41 +87,34 @@ namespace
 int
 main()
 {
-  const ElementGeometry geometry =
-    make_cells(Plane(),
-               {{"0:1:1", "0:1:1"}},
-               [](const double) {
-                 return std::array<double, 2>{{0, 1}};
-               })[0]
-      .geometry;
   using Type = MaterialParameters::Type;
   for (const double closer : {0., 0.003, 0.01, 0.018})
     {
       double p = 0;
-      check_small(
-        "normal",
-        tangent_modulus(
-          geometry, Type::isotropic, ThicknessStrain::normal, closer, p) -
-          G,
-        1e-12,
-        G);
-      for (const auto thickness_strain :
-           {ThicknessStrain::vertices, ThicknessStrain::mean_director})
+      for (const auto formulation :
+           {Formulation::vertices, Formulation::standard})
+        check_small(
+          "normal",
+          tangent_modulus(formulation, Type::isotropic, true, closer, p) - G,
+          1e-12,
+          G);
+      for (const auto formulation : all_elements())
         {
-          const double modulus = tangent_modulus(
-            geometry, Type::isotropic, thickness_strain, closer, p);
-          check_small("others", modulus - (G - p / (1 - closer)), 1e-12, G);
+          const double modulus =
+            tangent_modulus(formulation, Type::isotropic, false, closer, p);
+          check_small("director", modulus - (G - p / (1 - closer)), 1e-12, G);
         }
       check_range("pressure, MPa", p, 0, 2);
-      for (const auto thickness_strain : {ThicknessStrain::vertices,
-                                          ThicknessStrain::mean_director,
-                                          ThicknessStrain::normal})
-        check_small("neo-Hooke",
-                    tangent_modulus(
-                      geometry, Type::neo_Hooke, thickness_strain, closer, p) -
-                      G,
-                    1e-12,
-                    G);
+      for (const auto formulation : all_elements())
+        for (const bool normal_thickness : {false, true})
+          if (formulation != Formulation::paper || !normal_thickness)
+            check_small(
+              "neo-Hooke",
+              tangent_modulus(
+                formulation, Type::neo_Hooke, normal_thickness, closer, p) -
+                G,
+              1e-12,
+              G);
       check_range("pressure, MPa", p, 0, 2);
     }
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // On a cell of a torus whose thickness grows along the meridian, the geometry
-// is that of the formulas: frames, Lamé parameters, curvatures, slopes of the
-// shape functions and of the faces at the vertices, area and mu-bar at the
-// center.
+// of the paper's element is that of the formulas: frames, Lamé parameters,
+// curvatures, slopes of the shape functions and of the faces at the vertices,
+// area and mu-bar at the center.
 
 #include <deal.II/base/numbers.h>
 
@@ -34,7 +34,7 @@ main()
   ShellFEValues::FaceHeights face_heights;
   for (unsigned int v = 0; v < 4; ++v)
     face_heights[v] = heights(40 * degree + (v % 2) * step);
-  ShellFEValues fe_values(surface);
+  ShellFEValues fe_values(surface, Formulation::paper);
   fe_values.reinit(triangulation.begin_active(), face_heights);
   const ElementGeometry &geometry = fe_values.get_geometry();
 

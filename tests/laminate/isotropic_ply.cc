@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // An isotropic laminate has the membrane and bending stiffness of plane stress
-// once the thickness strain is eliminated; the full law is too stiff in bending
-// by the factor (1-nu)^2/(1-2nu).
+// once the thickness strain is eliminated.
 
 #include <biface/laminate/laminate.h>
 #include <biface/laminate/material.h>
@@ -55,7 +54,7 @@ namespace
 
 
   Stiffness
-  stack(const std::vector<double> &thicknesses, const ThicknessLaw law)
+  stack(const std::vector<double> &thicknesses)
   {
     std::vector<Ply> plies;
     double           angle = 0;
@@ -64,7 +63,7 @@ namespace
                        t,
                        angle += 0.3,
                        {}});
-    return Stiffness(Laminate(plies, law, 0).stiffness());
+    return Stiffness(Laminate(plies, ThicknessLaw::symmetric, 0).stiffness());
   }
 } // namespace
 
@@ -83,21 +82,11 @@ main()
   const double I = h * h * h / 12;
   for (const auto &plies : {std::vector<double>{h}, {0.3, 0.5, h - 0.8}})
     {
-      std::cout << plies.size() << " plies, symmetric law" << std::endl;
-      const Stiffness D = stack(plies, ThicknessLaw::symmetric);
+      std::cout << plies.size() << " plies" << std::endl;
+      const Stiffness D = stack(plies);
       check_small("  membrane", (D.membrane - h * plane_stress).norm(), 1e-9);
       check_small("  coupling", D.coupling.norm(), 1e-9);
       check_small("  bending", (D.bending - I * plane_stress).norm(), 1e-9);
       check_small("  transverse shear", (D.shear - shear).norm(), 1e-9);
     }
-
-  std::cout << "full law" << std::endl;
-  const Stiffness D = stack({h}, ThicknessLaw::full);
-  check_small("  membrane", (D.membrane - h * plane_stress).norm(), 1e-9);
-  check_small("  coupling", D.coupling.norm(), 1e-9);
-  check_small("  bending, ratio to plane stress",
-              D.bending[0][0] / (I * plane_stress[0][0]) -
-                (1 - nu) * (1 - nu) / (1 - 2 * nu),
-              1e-12);
-  check_small("  twisting", D.bending[2][2] - I * G, 1e-9);
 }

@@ -60,8 +60,7 @@ main()
 
   const std::vector<std::pair<std::string, ThicknessLaw>> laws{
     {"symmetric", ThicknessLaw::symmetric},
-    {"asymmetric", ThicknessLaw::asymmetric},
-    {"full", ThicknessLaw::full}};
+    {"asymmetric", ThicknessLaw::asymmetric}};
   using Kind = TransverseShearLaw::Kind;
   const std::vector<TransverseShearLaw> shear_laws{
     {Kind::constant_strain, 1}, {Kind::factor, 0.6}, {Kind::equilibrium, 1}};

@@ -50,8 +50,7 @@ namespace
 int
 main()
 {
-  for (const auto law :
-       {ThicknessLaw::symmetric, ThicknessLaw::asymmetric, ThicknessLaw::full})
+  for (const auto law : {ThicknessLaw::symmetric, ThicknessLaw::asymmetric})
     {
       const auto along = stiffness(0, law), across = stiffness(90, law),
                  right = stiffness(52, law), left = stiffness(-52, law);

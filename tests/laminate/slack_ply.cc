@@ -79,8 +79,7 @@ main()
 {
   const std::pair<std::string, ThicknessLaw> laws[] = {
     {"symmetric", ThicknessLaw::symmetric},
-    {"asymmetric", ThicknessLaw::asymmetric},
-    {"full", ThicknessLaw::full}};
+    {"asymmetric", ThicknessLaw::asymmetric}};
   for (const auto &law : laws)
     {
       std::cout << law.first << " law" << std::endl;

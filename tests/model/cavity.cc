@@ -45,9 +45,9 @@ namespace
 
 
   std::unique_ptr<ShellMesh>
-  torus(const std::string  &turn,
-        const bool          closed,
-        const Interpolation interpolation = Interpolation::components)
+  torus(const std::string &turn,
+        const bool         closed,
+        const Formulation  formulation = Formulation::paper)
   {
     auto surface = std::make_unique<SurfaceOfRevolution>(
       std::make_shared<CircularArc>(CircularArc::Parameters()));
@@ -62,8 +62,7 @@ namespace
                                        Layup(Layup::Parameters(), cord_ply()),
                                        Supports(),
                                        std::vector<NamedPoint>(),
-                                       StrainSampling::vertices,
-                                       interpolation);
+                                       formulation);
   }
 } // namespace
 
@@ -84,7 +83,7 @@ main(int argc, char *argv[])
                 1,
               1e-9);
 
-  const auto vectors = torus("-180:180:8", true, Interpolation::Cartesian);
+  const auto vectors = torus("-180:180:8", true, Formulation::standard);
   check_small("the same, vectors interpolated",
               Cavity(*vectors, Cavity::Parameters(), Resultants::inner)
                     .volume(State(*vectors)) /
@@ -102,16 +101,14 @@ main(int argc, char *argv[])
       1,
     1e-9);
 
-  const std::pair<Resultants::Face, Interpolation> cases[] = {
-    {Resultants::inner, Interpolation::components},
-    {Resultants::outer, Interpolation::components},
-    {Resultants::inner, Interpolation::Cartesian}};
-  for (const auto &[face, interpolation] : cases)
+  const std::pair<Resultants::Face, Formulation> cases[] = {
+    {Resultants::inner, Formulation::paper},
+    {Resultants::outer, Formulation::paper},
+    {Resultants::inner, Formulation::standard}};
+  for (const auto &[face, formulation] : cases)
     {
-      const auto mesh = coarse_torus(Layup(Layup::Parameters(), cord_ply()),
-                                     StrainSampling::vertices,
-                                     false,
-                                     interpolation);
+      const auto mesh =
+        coarse_torus(Layup(Layup::Parameters(), cord_ply()), formulation);
       Cavity::Parameters parameters;
       parameters.volume = 1e6;
       const Cavity     cavity(*mesh, parameters, face);
@@ -130,7 +127,7 @@ main(int argc, char *argv[])
           state.displacement      = moved;
           volumes[(sign + 1) / 2] = cavity.volume(state);
         }
-      check_small(interpolation == Interpolation::Cartesian
+      check_small(formulation == Formulation::standard
                     ? "gradient, vectors interpolated"
                   : face == Resultants::inner ? "gradient, inner face"
                                               : "gradient, outer face",
@@ -138,13 +135,10 @@ main(int argc, char *argv[])
                   1e-7);
     }
 
-  for (const auto interpolation :
-       {Interpolation::components, Interpolation::Cartesian})
+  for (const auto formulation : {Formulation::paper, Formulation::standard})
     {
-      const auto mesh = coarse_torus(Layup(Layup::Parameters(), cord_ply()),
-                                     StrainSampling::vertices,
-                                     true,
-                                     interpolation);
+      const auto mesh =
+        coarse_torus(Layup(Layup::Parameters(), cord_ply()), formulation, true);
       ContactParameters contact_parameters;
       contact_parameters.condition.penalty_stiffness = 1;
       const ContactInteraction contact(*mesh, contact_parameters);
@@ -162,7 +156,7 @@ main(int argc, char *argv[])
       mesh->condense(difference);
       difference -= f;
       const double deviation = difference.l2_norm(), norm = f.l2_norm();
-      check_small(interpolation == Interpolation::Cartesian
+      check_small(formulation == Formulation::standard
                     ? "forces are the gradient, vectors interpolated"
                     : "forces are the gradient",
                   deviation,

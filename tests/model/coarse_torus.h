@@ -19,11 +19,9 @@
 /** A section of the torus of the bias tire on a coarse, uneven grid, held at
  * its edges in the first coordinate; or the full turn. */
 inline std::unique_ptr<Biface::ShellMesh>
-coarse_torus(
-  const Biface::Layup         &layup,
-  const Biface::StrainSampling sampling     = Biface::StrainSampling::vertices,
-  const bool                   closed       = false,
-  const Biface::Interpolation interpolation = Biface::Interpolation::components)
+coarse_torus(const Biface::Layup      &layup,
+             const Biface::Formulation formulation = Biface::Formulation::paper,
+             const bool                closed      = false)
 {
   using namespace Biface;
 
@@ -45,8 +43,7 @@ coarse_torus(
                                      layup,
                                      supports,
                                      std::vector<NamedPoint>(),
-                                     sampling,
-                                     interpolation);
+                                     formulation);
 }
 
 

@@ -26,17 +26,22 @@
 
 #include <cord_ply.h>
 
+inline const std::string thick_ply = "cord: 1.5 @ 30";
+
+
 /** A shell of cord_ply().
  * @param points on the surface, for supports. */
 inline std::unique_ptr<Biface::ShellMesh>
-cord_shell(std::unique_ptr<Biface::ReferenceSurface> surface,
-           const std::array<std::string, 2>         &intervals,
-           const bool                                closed,
-           const std::string                        &plies,
-           const std::string                        &reference,
-           const Biface::Supports                   &supports = {},
-           const std::vector<Biface::NamedPoint>    &points   = {},
-           const std::string                        &layers   = "one")
+cord_shell(
+  std::unique_ptr<Biface::ReferenceSurface> surface,
+  const std::array<std::string, 2>         &intervals,
+  const bool                                closed,
+  const std::string                        &plies,
+  const std::string                        &reference,
+  const Biface::Supports                   &supports = {},
+  const std::vector<Biface::NamedPoint>    &points   = {},
+  const std::string                        &layers   = "one",
+  const Biface::Formulation formulation = Biface::Formulation::standard)
 {
   using namespace Biface;
 
@@ -54,33 +59,50 @@ cord_shell(std::unique_ptr<Biface::ReferenceSurface> surface,
                                      grid,
                                      Layup(layup, cord_ply()),
                                      supports,
-                                     points);
+                                     points,
+                                     formulation);
 }
 
 
 /** A shell without supports, so that all nodal forces remain. With the default
  * plies, the inner face is at -0.5 and the outer one at 1. */
 inline std::unique_ptr<Biface::ShellMesh>
-free_shell(std::unique_ptr<Biface::ReferenceSurface> surface,
-           const std::array<std::string, 2>         &intervals,
-           const bool                                closed = false,
-           const std::string                        &plies  = "cord: 1.5 @ 30")
+free_shell(
+  std::unique_ptr<Biface::ReferenceSurface> surface,
+  const std::array<std::string, 2>         &intervals,
+  const bool                                closed = false,
+  const std::string                        &plies  = thick_ply,
+  const Biface::Formulation formulation = Biface::Formulation::standard)
 {
-  return cord_shell(std::move(surface), intervals, closed, plies, "0.5");
+  return cord_shell(std::move(surface),
+                    intervals,
+                    closed,
+                    plies,
+                    "0.5",
+                    {},
+                    {},
+                    "one",
+                    formulation);
 }
 
 
 /** A plate of size 4 by 2. */
 inline std::unique_ptr<Biface::ShellMesh>
-plate()
+plate(const Biface::Formulation formulation = Biface::Formulation::standard)
 {
-  return free_shell(std::make_unique<Biface::Plane>(), {{"0:4:5", "0:2:3"}});
+  return free_shell(std::make_unique<Biface::Plane>(),
+                    {{"0:4:5", "0:2:3"}},
+                    false,
+                    thick_ply,
+                    formulation);
 }
 
 
 /** A cylinder about the y axis, of radius 10, from y = 0 to 6. */
 inline std::unique_ptr<Biface::ShellMesh>
-cylinder(const std::string &intervals_around, const bool closed)
+cylinder(const std::string        &intervals_around,
+         const bool                closed,
+         const Biface::Formulation formulation = Biface::Formulation::standard)
 {
   using namespace Biface;
 
@@ -90,16 +112,19 @@ cylinder(const std::string &intervals_around, const bool closed)
   return free_shell(
     std::make_unique<SurfaceOfRevolution>(std::make_shared<StraightLine>(line)),
     {{"0:6:4", intervals_around}},
-    closed);
+    closed,
+    thick_ply,
+    formulation);
 }
 
 
 /** A closed section of a torus about the y axis: an arc of radius 50 about 200,
  * from -30 to 90 degrees. */
 inline std::unique_ptr<Biface::ShellMesh>
-torus(const unsigned int n_cells,
-      const unsigned int n_around = 8,
-      const std::string &plies    = "cord: 1.5 @ 30")
+torus(const unsigned int        n_cells,
+      const unsigned int        n_around    = 8,
+      const std::string        &plies       = thick_ply,
+      const Biface::Formulation formulation = Biface::Formulation::standard)
 {
   using namespace Biface;
 
@@ -108,7 +133,8 @@ torus(const unsigned int n_cells,
                     {{"-30:90:" + std::to_string(n_cells),
                       "0:360:" + std::to_string(n_around)}},
                     true,
-                    plies);
+                    plies,
+                    formulation);
 }
 
 

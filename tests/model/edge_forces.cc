@@ -28,7 +28,7 @@ namespace
   {
     DeadLoads loads;
     loads.edge_forces = parse_edge_forces("forces", text);
-    const Total total(mesh, loads.assemble(mesh, AreaMeasure::middle)[0]);
+    const Total total(mesh, loads.assemble(mesh)[0]);
     if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
       return;
     std::cout << what << ", " << text << std::endl;
@@ -96,7 +96,7 @@ main(int argc, char *argv[])
       DeadLoads loads;
       loads.edge_forces = parse_edge_forces(
         "forces", std::string("alpha_2 min: 0 0 2") + place.first);
-      const Total total(*torus, loads.assemble(*torus, AreaMeasure::middle)[0]);
+      const Total total(*torus, loads.assemble(*torus)[0]);
       if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
         continue;
       std::cout << "torus" << place.first << std::endl;
@@ -113,7 +113,7 @@ main(int argc, char *argv[])
   loads.edge_forces = parse_edge_forces("forces", "alpha_1 max: 1 0 0 ply 3");
   try
     {
-      loads.assemble(*plate, AreaMeasure::middle);
+      loads.assemble(*plate);
     }
   catch (const InputError &error)
     {

@@ -98,7 +98,8 @@ namespace
                          grid,
                          Layup(layup, materials),
                          Supports(),
-                         {});
+                         {},
+                         Formulation::paper);
     const ShellEquations equations(mesh);
 
     // both faces move by cos(n phi) along the normal: small strains of a

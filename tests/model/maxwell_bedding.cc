@@ -45,8 +45,7 @@ namespace
       const double sign = MixedElement::face_sign[Resultants::inner];
       for (unsigned int v = 0; v < 4; ++v)
         {
-          const double area =
-            vertex_area(at.cell, v, AreaMeasure::face, Resultants::inner);
+          const double area = vertex_area(at.cell, v, Resultants::inner);
           Tensor<1, 3> force;
           Tensor<2, 3> derivative;
           force[2] = -area * stiffness * spring(at.state, at.cell.nodes[v]);

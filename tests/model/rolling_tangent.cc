@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 
+#include <biface/contact/contact_laws_of_stage.h>
 #include <biface/contact/rolling.h>
 #include <biface/laminate/layup.h>
 #include <biface/model/contact/approach.h>
@@ -35,14 +36,13 @@ namespace
   test(const std::string                 &name,
        const RigidBody::Parameters::Shape shape,
        const double                       omega,
-       const Interpolation     interpolation = Interpolation::components,
-       const FrictionInRolling friction      = FrictionInRolling::slip_velocity)
+       const Formulation                  formulation = Formulation::paper,
+       const FrictionInRolling friction = FrictionInRolling::slip_velocity)
   {
     auto material       = cord_ply();
     material[0].density = 1e-4;
     const Layup layup(Layup::Parameters(), material);
-    const auto  mesh =
-      coarse_torus(layup, StrainSampling::vertices, true, interpolation);
+    const auto  mesh = coarse_torus(layup, formulation, true);
 
     ContactParameters parameters;
     parameters.condition.penalty_stiffness = 1;
@@ -193,14 +193,13 @@ main(int argc, char *argv[])
   test("rolling", Shape::plane, 5);
   test("standing on moving ground", Shape::plane, 0);
   test("rolling on a drum", Shape::drum, 5);
-  test(
-    "rolling, vectors interpolated", Shape::plane, 5, Interpolation::Cartesian);
+  test("rolling, standard formulation", Shape::plane, 5, Formulation::standard);
   for (const auto shape : {Shape::plane, Shape::drum})
     for (const double omega : {5., -5.})
       test((omega < 0 ? "backward on bristles, body " : "on bristles, body ") +
              std::to_string(static_cast<int>(shape)),
            shape,
            omega,
-           Interpolation::components,
+           Formulation::paper,
            FrictionInRolling::bristles);
 }

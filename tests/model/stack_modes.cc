@@ -55,9 +55,7 @@ namespace
                          chart,
                          Layup(parameters, cord_ply()),
                          supports,
-                         {},
-                         StrainSampling::means,
-                         Interpolation::Cartesian);
+                         {});
     std::vector<types::global_dof_index> dofs;
     for (const Node &node : mesh.nodes)
       for (const auto dof : node.dofs)

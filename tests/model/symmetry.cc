@@ -26,21 +26,20 @@ using namespace Biface;
 namespace
 {
   void
-  test(const std::string  &name,
-       const ThicknessLaw  law,
-       const MortarMatrix  mass,
-       const PressureKind  kind,
-       const bool          symmetric,
-       const bool          with_pressure,
-       const bool          with_ground,
-       const bool          closed        = false,
-       const Interpolation interpolation = Interpolation::components)
+  test(const std::string &name,
+       const ThicknessLaw law,
+       const MortarMatrix mass,
+       const PressureKind kind,
+       const bool         symmetric,
+       const bool         with_pressure,
+       const bool         with_ground,
+       const bool         closed      = false,
+       const Formulation  formulation = Formulation::paper)
   {
     Layup::Parameters parameters;
     parameters.law = law;
     const Layup layup(parameters, cord_ply());
-    const auto  mesh =
-      coarse_torus(layup, StrainSampling::vertices, closed, interpolation);
+    const auto  mesh = coarse_torus(layup, formulation, closed);
 
     ContactParameters contact_parameters;
     contact_parameters.condition.mortar_matrix     = mass;
@@ -100,8 +99,7 @@ main(int argc, char *argv[])
        false,
        true,
        false);
-  for (const auto interpolation :
-       {Interpolation::components, Interpolation::Cartesian})
+  for (const auto formulation : {Formulation::paper, Formulation::standard})
     test("symmetric: follower pressure and held edges",
          law,
          lumped,
@@ -110,7 +108,7 @@ main(int argc, char *argv[])
          true,
          true,
          true,
-         interpolation);
+         formulation);
   test("symmetric: follower pressure of 0",
        law,
        lumped,

@@ -21,6 +21,7 @@
 
 #include "coarse_torus.h"
 #include <cord_ply.h>
+#include <name_of.h>
 #include <tests.h>
 
 using namespace dealii;
@@ -36,18 +37,18 @@ namespace
 
 
   void
-  test(const std::string  &name,
-       const ThicknessLaw  law,
-       const MortarMatrix  mass,
-       const StrainTheory  theory,
-       const PressureKind  pressure_kind = PressureKind::dead,
-       const std::string  &plies         = bias_plies,
-       const Shape         ground        = Shape::plane,
-       const std::string  &shear         = "constant strain",
-       const std::string  &compression   = "E_L",
-       const Interpolation interpolation = Interpolation::components,
-       const std::string  &layers        = "one",
-       const unsigned int  points        = 0)
+  test(const std::string &name,
+       const ThicknessLaw law,
+       const MortarMatrix mass,
+       const StrainTheory theory,
+       const PressureKind pressure_kind = PressureKind::dead,
+       const std::string &plies         = bias_plies,
+       const Shape        ground        = Shape::plane,
+       const std::string &shear         = "constant strain",
+       const std::string &compression   = "E_L",
+       const Formulation  formulation   = Formulation::paper,
+       const std::string &layers        = "one",
+       const unsigned int points        = 0)
   {
     Layup::Parameters parameters;
     parameters.plies             = parse_plies("plies", plies);
@@ -57,8 +58,7 @@ namespace
     auto materials               = cord_ply();
     materials[0].E_L_compression = compression;
     const Layup layup(parameters, materials);
-    const auto  mesh =
-      coarse_torus(layup, StrainSampling::vertices, false, interpolation);
+    const auto  mesh = coarse_torus(layup, formulation);
 
     // ground as soft as the shell, so that neither hides the other
     ContactParameters contact_parameters;
@@ -185,10 +185,6 @@ main(int argc, char *argv[])
        ThicknessLaw::asymmetric,
        MortarMatrix::consistent,
        StrainTheory::nonlinear);
-  test("full law, lumped mortar matrix",
-       ThicknessLaw::full,
-       MortarMatrix::lumped,
-       StrainTheory::nonlinear);
   test("linear theory",
        ThicknessLaw::symmetric,
        MortarMatrix::consistent,
@@ -212,16 +208,17 @@ main(int argc, char *argv[])
          Shape::plane,
          "equilibrium",
          "E_L/100");
-  test("Cartesian interpolation",
-       ThicknessLaw::symmetric,
-       MortarMatrix::lumped,
-       StrainTheory::nonlinear,
-       PressureKind::follower,
-       bias_plies,
-       Shape::plane,
-       "equilibrium",
-       "E_L/100",
-       Interpolation::Cartesian);
+  for (const auto formulation : {Formulation::standard, Formulation::vertices})
+    test("formulation: " + name_of(formulation),
+         ThicknessLaw::symmetric,
+         MortarMatrix::lumped,
+         StrainTheory::nonlinear,
+         PressureKind::follower,
+         bias_plies,
+         Shape::plane,
+         "equilibrium",
+         "E_L/100",
+         formulation);
   test("follower pressure",
        ThicknessLaw::symmetric,
        MortarMatrix::lumped,
@@ -256,7 +253,7 @@ main(int argc, char *argv[])
          Shape::plane,
          "constant strain",
          "E_L/100",
-         Interpolation::components,
+         Formulation::standard,
          "1/2, 3/2, 1");
   for (const auto mass : {MortarMatrix::lumped, MortarMatrix::consistent})
     {
@@ -287,7 +284,7 @@ main(int argc, char *argv[])
        Shape::drum,
        "constant strain",
        "E_L",
-       Interpolation::components,
+       Formulation::standard,
        "3, 1",
        3);
 }

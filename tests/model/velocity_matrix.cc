@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include <biface/contact/contact_laws_of_stage.h>
 #include <biface/contact/rolling.h>
 #include <biface/laminate/layup.h>
 #include <biface/model/contact/approach.h>
@@ -32,15 +33,13 @@ namespace
   void
   test(const std::string                 &name,
        const RigidBody::Parameters::Shape shape,
-       const Interpolation interpolation = Interpolation::components)
+       const Formulation                  formulation = Formulation::paper)
   {
-    const auto mesh = [interpolation](const double density) {
+    const auto mesh = [formulation](const double density) {
       auto material       = cord_ply();
       material[0].density = density;
-      return coarse_torus(Layup(Layup::Parameters(), material),
-                          StrainSampling::vertices,
-                          true,
-                          interpolation);
+      return coarse_torus(
+        Layup(Layup::Parameters(), material), formulation, true);
     };
     ContactParameters parameters;
     parameters.condition.penalty_stiffness = 1;
@@ -124,5 +123,5 @@ main(int argc, char *argv[])
   using Shape = RigidBody::Parameters::Shape;
   test("plane", Shape::plane);
   test("drum", Shape::drum);
-  test("plane, vectors interpolated", Shape::plane, Interpolation::Cartesian);
+  test("plane, standard formulation", Shape::plane, Formulation::standard);
 }

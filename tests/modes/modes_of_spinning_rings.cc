@@ -44,7 +44,8 @@ namespace
     ParameterHandler prm;
     read_parameters(
       DATA_DIR "/../verification/spinning_ring.prm",
-      {"Supports/Point supports=",
+      {"Formulation=paper",
+       "Supports/Point supports=",
        "Mesh/Intervals alpha_2=0:360:" + std::to_string(ring.n_cells),
        "Material wall/Density=" +
          std::to_string(1e9 * ring.speed * E / (omega * omega * R * R)) + "e-9",

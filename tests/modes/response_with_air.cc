@@ -25,7 +25,7 @@ main(int argc, char *argv[])
   const auto reports =
     run_analysis(PRM_DIR "/bias_tire.prm",
                  {"Material cord/Density=1.2e-9",
-                  "Element/Interpolation=Cartesian",
+                  "Formulation=vertices",
                   "Mesh/Intervals alpha_1=-120:120:10",
                   "Mesh/Intervals alpha_2=-180:-30:5, -30:30:10, 30:180:5",
                   "Loads/Pressure type=follower",

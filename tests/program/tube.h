@@ -6,12 +6,13 @@
 #include <string>
 
 /** A parameter file of a tube with the radius 100, the length 60, the thickness
- * 2 and E = 1000, without supports and loads, that writes only tables.
+ * 2 and E = 1000, round whatever the cells, without supports and loads, that
+ * writes only tables.
  * @param nu Poisson's ratio. */
 inline std::string
 tube(const std::string &nu)
 {
-  return "set Materials = wall\n"
+  return "set Formulation = paper\nset Materials = wall\n"
          "subsection Surface\n"
          "set Type = surface of revolution\n"
          "set Meridian = straight line\n"

@@ -113,11 +113,14 @@ main(int argc, char **argv)
                       {"Mesh/Intervals alpha_1=0:200:20"},
                       "Surface/Imperfection/Formula[1]; Material steel/E",
                       "middle u_z, strain_energy");
+  // at 0.15 MPa the first two frequencies are so close that differences are not
+  // exact
   check_sensitivities(
     "modes",
     tire,
-    on_finer_mesh({"Element/Strain sampling=means",
+    on_finer_mesh({"Formulation=standard",
                    "Material cord/Density=1.2e-9",
+                   "Stage 2/Pressure=0.2",
                    "Stage 2/Travel=10",
                    "Stage 2/Modes=3"}),
     "Stage 1/Pressure; Material cord/E_L; Material cord/Density; "

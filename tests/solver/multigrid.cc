@@ -15,6 +15,7 @@
 #include <biface/solver/linear/make_linear_solver.h>
 #include <biface/solver/linear/multigrid_solver.h>
 
+#include <name_of.h>
 #include <run_analysis.h>
 #include <tests.h>
 
@@ -24,7 +25,7 @@ using namespace Biface;
 namespace
 {
   void
-  test(const unsigned int refinement)
+  test(const Formulation formulation, const unsigned int refinement)
   {
     const auto n = [&](const unsigned int coarse) {
       return std::to_string(coarse * refinement);
@@ -35,7 +36,7 @@ namespace
                                        "Mesh/Intervals alpha_2=-180:-15:" + n(5) +
                                          ":smooth, -15:15:" + n(10) + ", 15:180:" + n(5) +
                                          ":smooth",
-                                       "Element/Strain sampling=means",
+                                       "Formulation=" + name_of(formulation),
                                        "Linear solver/Type=iterative"});
     const ShellMesh         &mesh = analysis.simulation.get_equations().mesh;
     const ContactInteraction contact(mesh, ContactParameters());
@@ -69,7 +70,8 @@ namespace
     const double error = x.linfty_norm(), size = exact.linfty_norm();
     if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       {
-        check_true(std::to_string(mesh.n_unknowns()) +
+        check_true(name_of(formulation) + ", " +
+                     std::to_string(mesh.n_unknowns()) +
                      " unknowns: solved in 25 iterations",
                    ok);
         check_small("  error", error, 1e-4, size);
@@ -83,5 +85,8 @@ main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   for (const unsigned int refinement : {1, 2, 4})
-    test(refinement);
+    test(Formulation::paper, refinement);
+  // not on the coarsest mesh, whose cells turn by tens of degrees: 1.3e-4 there
+  for (const unsigned int refinement : {2, 4})
+    test(Formulation::standard, refinement);
 }

@@ -138,8 +138,10 @@ main(int argc, char *argv[])
     for (unsigned int i = 0; i < 20; ++i)
       g -= (Eh * (g + g * g / 2) * (1 + g) + N_0 * g - 5 * R) /
            (Eh * (1 + 3 * g + 1.5 * g * g) + N_0);
-    const Written more(
-      inflated, {"Stage 2/Strain theory=nonlinear", "Stage 2/Pressure=25"});
+    const Written more(inflated,
+                       {"Formulation=paper",
+                        "Stage 2/Strain theory=nonlinear",
+                        "Stage 2/Pressure=25"});
     check_small("  displacement", more.u_x - g * R, 1e-5, g * R);
     std::cout << "  pressure in history.csv: " << more.pressure << std::endl;
     // 1 - 1/(1 + g_0) of the force, half on each face, while the load is on one

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // On a closed section of a torus, the cells of MappingManifold have the exact
-// area, and the weights of the elements that of the middle surface by the
-// midpoint rule.
+// area, and the weights of the paper's elements that of the middle surface by
+// the midpoint rule.
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
@@ -50,7 +50,8 @@ main(int argc, char *argv[])
                        grid,
                        layup,
                        Supports(),
-                       {});
+                       {},
+                       Formulation::paper);
 
   // the first moment tells where the section lies
   const MappingManifold<2, 3> mapping;

@@ -9,11 +9,8 @@
 #include <array>
 #include <memory>
 
-#include <biface/element/interpolation.h>
-#include <biface/element/mean_vectors.h>
+#include <biface/element/formulation.h>
 #include <biface/element/strain.h>
-#include <biface/element/strain_sampling.h>
-#include <biface/element/thickness_strain.h>
 
 namespace Biface
 {
@@ -100,7 +97,7 @@ namespace Biface
     dealii::Tensor<2, 3>
     turn(const unsigned int r, const unsigned int s) const
     {
-      return interpolation == Interpolation::components
+      return formulation == Formulation::paper
                ? dealii::Tensor<2, 3>(dealii::unit_symmetric_tensor<3>())
                : transpose(vertices[r].axes) * vertices[s].axes;
     }
@@ -119,7 +116,7 @@ namespace Biface
                const dealii::Tensor<1, 3> &other) const
     {
       const Vertex &vertex = vertices[q];
-      if (interpolation == Interpolation::Cartesian)
+      if (formulation != Formulation::paper)
         return vertex.slope[a] * (own - turn(q, q ^ (1 << a)) * other);
       dealii::Tensor<1, 3> d;
       for (unsigned int i = 0; i < 3; ++i)
@@ -178,14 +175,13 @@ namespace Biface
       return density;
     }
 
-    StrainSampling sampling;
-    Interpolation  interpolation;
+    Formulation formulation = Formulation::standard;
 
-    /** The source of the thickness strain; never by_layers. */
-    ThicknessStrain thickness_strain = ThicknessStrain::vertices;
-    /** The cell of Interpolation::Cartesian; null where components are
-     * interpolated, which the members below are for. */
+    /** The strains of the cell; null with Formulation::paper. */
     std::shared_ptr<const Quadrilateral> quadrilateral;
+    /** Whether the thickness strain is that of the distance of the faces, as in
+     * walls of several layers, see NormalThickness. */
+    bool normal_thickness = false;
     /** Whether the sides are coordinate lines, along which the axes of the
      * material are taken; otherwise they have directions of their own, see
      * Quadrilateral::get_tangents(). */
@@ -194,18 +190,6 @@ namespace Biface
     /** The tangents of the cell, null if the sides are coordinate lines. */
     const CellTangents *
     tangents() const;
-
-    /** The factors @f$\varphi_a@f$ of MeanDirector. */
-    std::array<double, 2> director_factor;
-
-    /** The factors @f$\varphi_a@f$ of StrainMeans. */
-    std::array<double, 2> mean_factor;
-    /** The means `[face][a]` of @f$\zeta_a^\pm/\bar\zeta_a@f$ over the
-     * vertices, for StrainMeans. */
-    std::array<std::array<double, 2>, 2> zeta_ratio;
-    /** The tangents and directors of the undeformed shell, see
-     * StrainMeans::undeformed(). */
-    MeanVectors undeformed;
   };
 } // namespace Biface
 

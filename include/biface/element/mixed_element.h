@@ -7,13 +7,11 @@
 
 #include <array>
 
-#include <biface/element/mean_director.h>
 #include <biface/element/modes.h>
 #include <biface/element/normal_thickness.h>
 #include <biface/element/quadrilateral.h>
 #include <biface/element/shell_fe_values.h>
 #include <biface/element/strain.h>
-#include <biface/element/strain_means.h>
 
 namespace Biface
 {
@@ -21,10 +19,12 @@ namespace Biface
    * The mixed shell element of @cite GrigolyukKulikovPlotnikova2004,
    * eqs. (11)-(13) and (16), at given nodal displacements.
    *
-   * The displacements of the two faces are bilinear, with components in the
-   * frame of each node; strains and resultants have the modes of Modes. If the
-   * displacement vectors are bilinear, Interpolation::Cartesian, the strains
-   * are those of a Quadrilateral. With
+   * The displacements of the two faces are bilinear; strains and resultants
+   * have the modes of Modes. Unless the formulation is
+   * Formulation::paper, the displacement vectors are bilinear, and the strains
+   * are those of a Quadrilateral. With Formulation::paper it is their
+   * components in the frames of the nodes, and strains are sampled at the
+   * vertices. With
    * @f$\mathbf E(\mathbf V)@f$ the modes of the strains, @f$w@f$ the weight of
    * the element and @f$w_m@f$ those of the modes, the virtual work of
    * resultants @f$\mathbf H@f$ and initial resultants @f$\mathbf H_0@f$ is
@@ -33,9 +33,7 @@ namespace Biface
    * @f]
    * with @f$\eta@f$ the nonlinear part of the strains.
    *
-   * With StrainSampling::means the modes contain what StrainMeans adds; with
-   * ThicknessStrain::mean_director what MeanDirector does, and with
-   * ThicknessStrain::normal also what NormalThickness subtracts.
+   * In a wall of several layers NormalThickness changes the thickness strain.
    */
   class MixedElement
   {
@@ -154,7 +152,7 @@ namespace Biface
     /** The element halfway between given displacements, with the derivative of
      * the strains whose product with the change of the displacements is the
      * change of the strains, which are quadratic in the displacements or, with
-     * ThicknessStrain::normal, contain products of such strains.
+     * NormalThickness, contain products of such strains.
      * strain() is not that of the displacements halfway. */
     MixedElement(const ElementGeometry &geometry,
                  const NodalVector     &start,
@@ -178,7 +176,7 @@ namespace Biface
      * The hourglass part of @f$\boldsymbol\eta(d\mathbf V)@f$, which
      * strain_variation() leaves out. The derivative @f$\mathbf g_a@f$ of an
      * increment varies as @f$[\mathbf g_a]_c\,\xi_c@f$, @f$c\neq a@f$, and
-     * with StrainSampling::vertices the constant modes of
+     * except with Formulation::standard the constant modes of
      * @f$\varepsilon_{aa}^\pm@f$ contain the mean of
      * @f$|[\mathbf g_a^\pm]_c|^2/2\zeta_a^2@f$ over the vertices. All other
      * modes are zero.
@@ -223,38 +221,18 @@ namespace Biface
     std::array<DisplacementGradient, 4> gradients;
 
     /** The vectors of the deformed cell, and their change from the undeformed
-     * one; used with Interpolation::Cartesian, alone. */
+     * one; not used with Formulation::paper. */
     Quadrilateral::Vectors cell, cell_change;
 
-    /** The vectors of the deformed element, and their change from the
-     * undeformed one; used with StrainSampling::means. */
-    MeanVectors vectors, change;
-
-    /** The directors of the deformed element, and their change from the
-     * undeformed one; used with ThicknessStrain::mean_director and normal. */
-    MeanDirector director, director_change;
-
     /** The shear strains at the Gauss points; used with
-     * ThicknessStrain::normal. */
+     * NormalThickness. */
     NormalThickness::Shear shear{};
 
     /** Whether the strains are those of a Quadrilateral. */
     bool
     of_vectors() const
     {
-      return geometry.interpolation == Interpolation::Cartesian;
-    }
-
-    bool
-    with_means() const
-    {
-      return geometry.sampling == StrainSampling::means;
-    }
-
-    bool
-    with_mean_director() const
-    {
-      return geometry.thickness_strain != ThicknessStrain::vertices;
+      return geometry.quadrilateral != nullptr;
     }
 
     /** The tangents of the cell; null if they are the axes of the material. */
@@ -267,7 +245,7 @@ namespace Biface
     bool
     with_normal_thickness() const
     {
-      return geometry.thickness_strain == ThicknessStrain::normal;
+      return geometry.normal_thickness;
     }
 
     /** The strain modes before NormalThickness changes them. */
@@ -300,14 +278,6 @@ namespace Biface
     void
     strain_matrix(StrainMatrix &B) const;
 
-    /** Add the terms of StrainSampling::means to a strain matrix. */
-    void
-    add_mean_terms(const StrainMeans::Maps &maps, StrainMatrix &B) const;
-
-    /** Add the terms of ThicknessStrain::mean_director to a strain matrix. */
-    void
-    add_director_terms(StrainMatrix &B) const;
-
     /** The variation of NormalThickness::Shear, in the columns of
      * StrainMatrix. */
     using ShearMatrix = std::array<std::array<std::array<double, n_dofs>, 2>,
@@ -316,8 +286,8 @@ namespace Biface
     void
     shear_matrix(const StrainMatrix &B, ShearMatrix &G) const;
 
-    /** Subtract the terms of ThicknessStrain::normal from the rows of the
-     * thickness strain. */
+    /** Subtract the terms of NormalThickness from the rows of the thickness
+     * strain. */
     void
     subtract_shear(const ShearMatrix &G, StrainMatrix &B) const;
 

@@ -7,7 +7,7 @@
 
 #include <array>
 
-#include <biface/element/strain_sampling.h>
+#include <biface/element/formulation.h>
 #include <biface/laminate/resultants.h>
 
 namespace Biface
@@ -22,8 +22,8 @@ namespace Biface
    * @f$\xi_2@f$, @f$\xi_1@f$, @f$\xi_1\xi_2@f$ only those are kept that do not
    * cause locking: 22 numbers per element, in four groups.
    *
-   * StrainSampling::means adds two, the twist as coefficient of
-   * @f$\xi_2@f$ and of @f$\xi_1@f$; see StrainMeans.
+   * Formulation::standard adds two, the twist as coefficient of
+   * @f$\xi_2@f$ and of @f$\xi_1@f$; see Quadrilateral.
    */
   namespace Modes
   {
@@ -353,14 +353,14 @@ namespace Biface
   {
   public:
     /** The law of a laminate with the given matrix.
-     * @param sampling the set of strain modes.
+     * @param formulation the set of strain modes.
      * @param tangents of the cell, along which the strains that vary are
      * components, @f$\mathbf D^m=\mathbf T_E^T\mathbf D\mathbf T_E@f$, see
      * Quadrilateral; null if they are the axes of the laminate. */
     explicit ModeStiffness(
       const Resultants::Matrix &stiffness,
-      const StrainSampling      sampling = StrainSampling::vertices,
-      const CellTangents       *tangents = nullptr);
+      const Formulation         formulation = Formulation::standard,
+      const CellTangents       *tangents    = nullptr);
 
     /**
      * Let the tangential strains that a group lacks follow its thickness

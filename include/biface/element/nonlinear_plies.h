@@ -87,13 +87,13 @@ namespace Biface
     using Stiffness = Modes::Matrix;
 
     /** The plies of a laminate that are not linear.
-     * @param sampling the set of strain modes.
+     * @param formulation the set of strain modes.
      * @param tangents of the cell, see ModeStiffness; the mean strains in
      * @f$\eta_m@f$ are those along them. */
     explicit NonlinearPlies(
-      const Laminate      &laminate,
-      const StrainSampling sampling = StrainSampling::vertices,
-      const CellTangents  *tangents = nullptr);
+      const Laminate     &laminate,
+      const Formulation   formulation = Formulation::standard,
+      const CellTangents *tangents    = nullptr);
 
     /** Whether all plies are linear. */
     bool

@@ -10,7 +10,7 @@
 namespace Biface
 {
   /**
-   * What ThicknessStrain::normal subtracts from the modes of
+   * What walls of several layers subtract from the modes of
    * @f$\varepsilon_{33}=(\mathbf n\cdot\mathbf n-1)/2@f$.
    *
    * The director @f$\mathbf n@f$ leans where the wall is sheared, so that its

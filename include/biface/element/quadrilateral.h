@@ -8,14 +8,13 @@
 #include <array>
 
 #include <biface/element/modes.h>
-#include <biface/element/strain_sampling.h>
 
 namespace Biface
 {
   /**
    * The strain modes of a cell whose faces and directors are bilinear vectors:
    * a quadrilateral of any shape, flat or warped, with any thickness at its
-   * vertices. It knows no chart; see Interpolation::Cartesian.
+   * vertices. It knows no chart; see Formulation::standard.
    *
    * Each face, of which the index is omitted, has the vectors
    * @f$\mathbf g_a=\frac14\sum_q\xi_{aq}\mathbf p_q@f$ and
@@ -113,9 +112,13 @@ namespace Biface
     /** What a cell has in addition to its shape. */
     struct Options
     {
-      StrainSampling sampling = StrainSampling::means;
-      /** Whether the thickness strain is that of the interpolated director, see
-       * MeanDirector. */
+      /** Whether the quadratic terms of the constant strains are means over the
+       * cell, and the twist varies; otherwise they are sampled at the vertices,
+       * and the twist is constant. */
+      bool means = true;
+      /** Whether the thickness strain is that of the interpolated director, not
+       * of the directors at the vertices: contact pressure on a soft layer does
+       * not make it rock from node to node. */
       bool mean_director = false;
       /** The thickness of the wall of which the cell may be a layer; 0 for the
        * cell's own. Unit: length. */

@@ -34,24 +34,24 @@ namespace Biface
   dealii::Tensor<2, 3>
   in_columns(const SurfacePoint &point);
 
-  /** The strains of the cell; see ElementGeometry for sampling and thickness
-   * strain. */
+  /** The strains of the cell.
+   * @param formulation not that of the paper.
+   * @param normal_thickness see ElementGeometry. */
   std::shared_ptr<const Quadrilateral>
   make_quadrilateral(const QuadrilateralPoints &points,
-                     const StrainSampling       sampling,
-                     const ThicknessStrain      thickness_strain);
+                     const Formulation          formulation,
+                     const bool                 normal_thickness);
 
   /** The faces of a cell between straight sides, see
    * ElementGeometry::Stations. */
   ElementGeometry::Stations
   straight_stations(const QuadrilateralPoints &points);
 
-  /** The geometry of an element with Interpolation::Cartesian on a cell of any
+  /** The geometry of an element with Formulation::standard on a cell of any
    * shape, which need not lie along coordinate lines. */
   ElementGeometry
   quadrilateral_geometry(const QuadrilateralPoints &points,
-                         const StrainSampling       sampling,
-                         const ThicknessStrain      thickness_strain);
+                         const bool                 normal_thickness);
 } // namespace Biface
 
 #endif

@@ -11,7 +11,6 @@
 #include <array>
 
 #include <biface/element/element_geometry.h>
-#include <biface/element/strain_sampling.h>
 #include <biface/surface/surface_point.h>
 
 namespace Biface
@@ -49,12 +48,11 @@ namespace Biface
     using FaceHeights = std::array<std::array<double, 2>, 4>;
 
     /** @param surface the manifold of all cells. It must outlive this object.
-     */
+     * @param normal_thickness see ElementGeometry. */
     explicit ShellFEValues(
       const ReferenceSurface &surface,
-      const StrainSampling    sampling         = StrainSampling::vertices,
-      const Interpolation     interpolation    = Interpolation::components,
-      const ThicknessStrain   thickness_strain = ThicknessStrain::vertices);
+      const Formulation       formulation      = Formulation::standard,
+      const bool              normal_thickness = false);
 
     /**
      * Go to a cell, the sides of which must be coordinate lines.

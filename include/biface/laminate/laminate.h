@@ -35,15 +35,10 @@ namespace Biface
     /**
      * The law of @cite GrigolyukKulikovPlotnikova2004, eq. (9), as understood
      * here: the tangential resultants are those of plane stress and independent
-     * of @f$E_{33}@f$, the thickness resultant is that of the full law. Not
-     * symmetric.
+     * of @f$E_{33}@f$, the thickness resultant is that of the three-dimensional
+     * law. Not symmetric.
      */
-    asymmetric,
-    /**
-     * The full three-dimensional law with a constant @f$E_{33}@f$, for
-     * comparison: it locks in bending unless Poisson's ratio is zero.
-     */
-    full
+    asymmetric
   };
 
 
@@ -107,7 +102,7 @@ namespace Biface
      * for the integrals of a plate.
      * @param wall if the plies are a layer of it.
      * @param along_normal whether the thickness strain is that of
-     * ThicknessStrain::normal. */
+     * NormalThickness. */
     Laminate(std::vector<Ply>             plies,
              const ThicknessLaw           law,
              const double                 reference_height,

@@ -200,7 +200,7 @@ namespace Biface
     is_hyperelastic() const;
 
     /** Let the thickness strain of the laminates be that along the normal, see
-     * ThicknessStrain::normal. */
+     * NormalThickness. */
     void
     set_thickness_strain_along_normal(const bool value)
     {

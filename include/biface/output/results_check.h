@@ -38,7 +38,7 @@ namespace Biface
      * motions, see forces_on_shell(), of more than 1 % of the largest reaction,
      * and of strains below @p least_stable_strain or shear strains above 1;
      * once, of flat cells between frames that differ by more than 30 degrees,
-     * see Interpolation::Cartesian.
+     * see Formulation.
      */
     std::vector<std::string>
     add(const StepReport &report, const State &state);

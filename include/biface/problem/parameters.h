@@ -12,7 +12,7 @@
 #include <vector>
 
 #include <biface/contact/body_parameters.h>
-#include <biface/element/element_parameters.h>
+#include <biface/element/formulation.h>
 #include <biface/input/entry_declarations.h>
 #include <biface/laminate/layup.h>
 #include <biface/laminate/material_parameters.h>
@@ -54,7 +54,7 @@ namespace Biface
     std::vector<std::string>        plies_files;
     ChartGrid::Parameters           mesh;
     Layup::Parameters               laminate;
-    ElementParameters               element;
+    Formulation                     formulation = Formulation::standard;
     NamedPoints                     points;
     std::vector<MaterialParameters> materials;
     Supports                        supports;
@@ -186,6 +186,10 @@ namespace Biface
      * empty otherwise. */
     std::string
     travel_beyond_supports() const;
+
+    /** Check that the formulation can do what the laminate asks. */
+    void
+    check_formulation() const;
 
     /** Check that an imperfection is used with nothing that needs a perfect
      * shell. */

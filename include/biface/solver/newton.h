@@ -90,10 +90,9 @@ namespace Biface
   public:
     struct Parameters
     {
-      NewtonIteration iteration          = NewtonIteration::mixed;
-      unsigned int    max_iterations     = 25;
-      double          residual_tolerance = 1e-8;
-      double          update_tolerance   = 1e-9;
+      unsigned int max_iterations     = 25;
+      double       residual_tolerance = 1e-8;
+      double       update_tolerance   = 1e-9;
 
       void
       add_parameters(EntryDeclarations &prm);

@@ -54,10 +54,7 @@ namespace Biface
 
     /** The loads at a level. */
     Loads
-    loads_at(const LoadLevel &level) const
-    {
-      return loads_at(level, laws);
-    }
+    loads_at(const LoadLevel &level) const;
 
     /** The loads at a level, with other laws of the ground.
      *

@@ -18,8 +18,7 @@ namespace Biface
                    const PressureLoad       &pressure)
   {
     ForceTerms terms;
-    terms.push_back(
-      std::make_unique<DeadForces>(mesh, dead_loads, pressure.area));
+    terms.push_back(std::make_unique<DeadForces>(mesh, dead_loads));
     terms.push_back(std::make_unique<PressureForces>(mesh, pressure));
     if (mesh.n_folds() > 0)
       {

@@ -75,7 +75,7 @@ namespace Biface
         "the components x, y, z, or, followed by '; local', in the frame "
         "e_1, e_2, e_3. The variables are those of 'Pressure distribution'. "
         "Empty for none.",
-        Unit("force/area, see 'Area of face loads'"));
+        Unit("force/area, of the undeformed face"));
     prm.add_parameter(
       "Area force",
       area_force,
@@ -356,7 +356,6 @@ namespace Biface
     add_traction(const ShellMesh       &mesh,
                  const Resultants::Face face,
                  const Traction        &traction,
-                 const AreaMeasure      area,
                  LA::Vector            &nodal_forces)
     {
       const auto values = evaluate_at_nodes(traction.components, mesh);
@@ -371,7 +370,7 @@ namespace Biface
               force.components[i] = values[cell.nodes[v]][i];
             add_nodal_force(mesh.nodes[cell.nodes[v]],
                             force,
-                            vertex_area(cell, v, area, face),
+                            vertex_area(cell, v, face),
                             nodal_forces);
           }
     }
@@ -379,7 +378,7 @@ namespace Biface
 
 
   std::vector<LA::Vector>
-  DeadLoads::assemble(const ShellMesh &mesh, const AreaMeasure area) const
+  DeadLoads::assemble(const ShellMesh &mesh) const
   {
     // a vector for each factor, which a stage can change without another
     // assembly
@@ -439,11 +438,8 @@ namespace Biface
 
     for (const auto face : {Resultants::inner, Resultants::outer})
       if (!tractions[face].components.empty())
-        add_traction(mesh,
-                     face,
-                     tractions[face],
-                     area,
-                     nodal_forces[tractions[face].factor]);
+        add_traction(
+          mesh, face, tractions[face], nodal_forces[tractions[face].factor]);
 
     if (area_force.norm() > 0)
       {

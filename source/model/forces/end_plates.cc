@@ -31,11 +31,10 @@ namespace Biface
     // half of the sector between the axis and the side, the other half is that
     // of its other node
     const double area =
-      (radius
-         ? *radius * *radius * angle
-         : arm.norm_square() * (mesh.interpolation == Interpolation::Cartesian
-                                  ? std::sin(angle)
-                                  : angle)) /
+      (radius ? *radius * *radius * angle
+              : arm.norm_square() * (mesh.formulation != Formulation::paper
+                                       ? std::sin(angle)
+                                       : angle)) /
       4;
 
     // away from the cavity, which is on the side of the face

@@ -57,16 +57,16 @@ namespace Biface
                            std::vector<ModeStiffness>  &linear,
                            std::vector<NonlinearPlies> &others) const
   {
-    others.emplace_back(laminate, mesh.sampling, tangents);
+    others.emplace_back(laminate, mesh.formulation, tangents);
     // the points of the plies have the whole stiffness: nothing linear is
     // left beside them
     if (others.back().is_whole_law())
       {
-        linear.emplace_back(Resultants::Matrix(), mesh.sampling);
+        linear.emplace_back(Resultants::Matrix(), mesh.formulation);
         return;
       }
-    linear.emplace_back(laminate.stiffness(), mesh.sampling, tangents);
-    if (mesh.thickness_strain == ThicknessStrain::normal)
+    linear.emplace_back(laminate.stiffness(), mesh.formulation, tangents);
+    if (mesh.normal_thickness)
       // section 4 of doc/theory.md, "Nearly incompressible layers":
       // positive whatever cords are slack
       linear.back().release_thickness_strain(
@@ -732,7 +732,7 @@ namespace Biface
             continue;
           }
         state.resultants[c] = resultants_of(state, c, E);
-        if (mesh.sampling == StrainSampling::vertices)
+        if (mesh.formulation != Formulation::standard)
           {
             const Modes::Vector H         = total_resultants(state, c);
             const Modes::Vector hourglass = element.hourglass_strain(dV);

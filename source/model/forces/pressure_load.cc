@@ -74,14 +74,6 @@ namespace Biface
                "position x, y, z on the undeformed reference surface, and of "
                "alpha_1, alpha_2 as in 'Mesh'.",
                Unit::none());
-    add_choice(prm,
-               "Area of face loads",
-               area,
-               {"middle", "face"},
-               "The undeformed area to which dead pressure and tractions "
-               "refer: 'middle' (the middle surface, halfway between the "
-               "faces, as in the paper) or 'face' (the true area of the "
-               "face).");
   }
 
 
@@ -98,11 +90,10 @@ namespace Biface
   double
   vertex_area(const Cell        &cell,
               const unsigned int vertex,
-              const AreaMeasure  area,
               const unsigned int face)
   {
     const double middle = cell.geometry.vertex_areas[vertex];
-    return area == AreaMeasure::middle
+    return cell.geometry.formulation == Formulation::paper
              ? middle
              : middle / cell.geometry.vertices[vertex].metric.area_ratio(face);
   }
@@ -122,7 +113,7 @@ namespace Biface
         MixedElement::NodalVector force;
         // a true pressure on the undeformed face, integrated exactly as that on
         // the deformed one
-        if (area == AreaMeasure::face)
+        if (mesh.formulation != Formulation::paper)
           force = FollowerPressure(
                     cell.geometry, MixedElement::NodalVector(), face, p_v)
                     .force();
@@ -133,7 +124,7 @@ namespace Biface
               // it
               Tensor<1, 3> normal_force;
               normal_force[2] = (face == Resultants::inner ? 1 : -1) * p_v[v] *
-                                vertex_area(cell, v, area, face);
+                                vertex_area(cell, v, face);
               MixedElement::add_face_force(normal_force, v, face, force);
             }
         mesh.add_nodal_forces(cell, force, nodal_forces);

@@ -30,9 +30,8 @@ namespace Biface
         vertex.thickness = node.face_heights[1] - node.face_heights[0];
         vertex.axes      = in_columns(node.surface);
       }
-    element.geometry.interpolation = Interpolation::Cartesian;
-    element.geometry.along_lines   = false;
-    element.geometry.stations      = straight_stations(points);
+    element.geometry.along_lines = false;
+    element.geometry.stations    = straight_stations(points);
     // the faces move by the half differences over all layers
     if (mesh.n_layers() > 1)
       element.contributions.resize(4 * mesh.n_layers());

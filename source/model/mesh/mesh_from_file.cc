@@ -435,12 +435,10 @@ namespace Biface
                        const MeshFile                         &file,
                        const Layup                            &layup,
                        const Supports                         &supports,
-                       const std::vector<NamedPoint>          &points,
-                       const ThicknessStrain                   thickness_strain)
+                       const std::vector<NamedPoint>          &points)
     : MeshNodes(communicator, std::move(surface), grid, points)
-    , sampling(StrainSampling::means)
-    , interpolation(Interpolation::Cartesian)
-    , thickness_strain(of_layers(thickness_strain, layup.n_layers()))
+    , formulation(Formulation::standard)
+    , normal_thickness(layup.n_layers() > 1)
   {
     set_layup(layup);
     const QuadrilateralMesh  &mesh = *file.mesh;
@@ -683,8 +681,7 @@ namespace Biface
                      column,
                      [&](const std::array<std::array<double, 2>, 4> &heights) {
                        points.heights = heights;
-                       return quadrilateral_geometry(
-                         points, sampling, thickness_strain);
+                       return quadrilateral_geometry(points, normal_thickness);
                      });
       }
 

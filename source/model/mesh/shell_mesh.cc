@@ -347,13 +347,10 @@ namespace Biface
                        const Layup                            &layup,
                        const Supports                         &supports,
                        const std::vector<NamedPoint>          &points,
-                       const StrainSampling                    sampling,
-                       const Interpolation                     interpolation,
-                       const ThicknessStrain                   thickness_strain)
+                       const Formulation                       formulation)
     : MeshNodes(communicator, std::move(surface), grid, points)
-    , sampling(sampling)
-    , interpolation(interpolation)
-    , thickness_strain(of_layers(thickness_strain, layup.n_layers()))
+    , formulation(formulation)
+    , normal_thickness(layup.n_layers() > 1)
   {
     set_layup(layup);
     const Faces faces(*this->layup, *this->surface, grid);
@@ -455,8 +452,7 @@ namespace Biface
   ShellMesh::set_layup(const Layup &new_layup)
   {
     const auto plies = std::make_shared<Layup>(new_layup);
-    plies->set_thickness_strain_along_normal(thickness_strain ==
-                                             ThicknessStrain::normal);
+    plies->set_thickness_strain_along_normal(normal_thickness);
     n_all_layers = plies->n_layers();
     layup        = plies;
   }
@@ -769,8 +765,7 @@ namespace Biface
   void
   ShellMesh::collect_cells_and_nodes(const Faces &faces)
   {
-    ShellFEValues fe_values(
-      *surface, sampling, interpolation, thickness_strain);
+    ShellFEValues fe_values(*surface, formulation, normal_thickness);
 
     // map from the vertices of the triangulation to the nodes of this rank
     std::vector<unsigned int> node_of_vertex(triangulation->n_vertices(),

@@ -142,7 +142,6 @@ class ParameterFile:
                 f"# Judge:  biface-tire judge {directory}"]),
             "set Units = mm, N, s",
             *self.surface(), self.mesh_section(), *self.materials(), *self.laminate(),
-            section("Element", ("Interpolation", "Cartesian"), ("Strain sampling", "means")),
             "# The flanges of the rim hold both ends.\n" + section(
                 "Supports", ("alpha_1 min", "fixed"), ("alpha_1 max", "fixed")),
             section("Loads", ("Pressure type", "follower")),

@@ -108,13 +108,11 @@ namespace Biface
      * of supports: for each of the factors in Loads::factors, those of the
      * loads that have it.
      *
-     * @param area the area to which tractions refer.
-     *
      * Throws InputError if a named point does not exist, or if a formula is not
      * finite at a node.
      */
     std::vector<LA::Vector>
-    assemble(const ShellMesh &mesh, const AreaMeasure area) const;
+    assemble(const ShellMesh &mesh) const;
   };
 
 
@@ -123,12 +121,9 @@ namespace Biface
   {
   public:
     /** The forces of loads on a mesh. Throws InputError, see
-     * DeadLoads::assemble().
-     * @param area see DeadLoads::assemble(), which throws. */
-    DeadForces(const ShellMesh  &mesh,
-               const DeadLoads  &loads,
-               const AreaMeasure area)
-      : at_unit_factor(loads.assemble(mesh, area))
+     * DeadLoads::assemble(). */
+    DeadForces(const ShellMesh &mesh, const DeadLoads &loads)
+      : at_unit_factor(loads.assemble(mesh))
     {}
 
     bool

@@ -170,8 +170,8 @@ namespace Biface
     settle_resultants(State &state) const;
 
     /** Set the resultants to their linearized prediction,
-     * @f$\mathbf D(\mathbf E(\mathbf V)+\mathbf B\,d\mathbf V)@f$. With
-     * StrainSampling::vertices, a direction that this compresses has in
+     * @f$\mathbf D(\mathbf E(\mathbf V)+\mathbf B\,d\mathbf V)@f$. Except
+     * with Formulation::standard, a direction that this compresses has in
      * addition the strains of the hourglass in the increment, without which the
      * next tangent might not resist hourglasses.
      * @param increment readable at all nodes of this rank. */

@@ -24,23 +24,12 @@ namespace Biface
   enum class PressureKind
   {
     /** The pressure keeps its initial direction and acts on an undeformed area,
-     * see AreaMeasure. */
+     * see vertex_area(). */
     dead,
     /** The pressure acts on the deformed face, along its normal. If it is
      * uniform and no edge is free to sweep an area, it has a potential, see
      * FollowerPressure, and the tangent is symmetric. */
     follower
-  };
-
-
-  /** The undeformed area to which a dead load on a face refers. */
-  enum class AreaMeasure
-  {
-    /** The area of the middle surface, as in
-     * @cite GrigolyukKulikovPlotnikova2004. */
-    middle,
-    /** The area of the face itself. */
-    face
   };
 
 
@@ -50,7 +39,6 @@ namespace Biface
   {
     PressureKind     kind = PressureKind::follower;
     Resultants::Face face = Resultants::inner;
-    AreaMeasure      area = AreaMeasure::middle;
     /** The edges of alpha_1 that a rigid plate closes, on which the pressure
      * acts, too. */
     std::vector<Edge> end_plates;
@@ -126,11 +114,12 @@ namespace Biface
   };
 
 
-  /** The quarter of the area of a cell at one of its vertices. */
+  /** The part of the area of a cell that belongs to one of its vertices, to
+   * which a dead load on a face refers: that of the face, or of the middle
+   * surface with Formulation::paper. */
   double
   vertex_area(const Cell        &cell,
               const unsigned int vertex,
-              const AreaMeasure  area,
               const unsigned int face);
 } // namespace Biface
 

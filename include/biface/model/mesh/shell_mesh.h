@@ -155,20 +155,16 @@ namespace Biface
      * of a ply is not positive, if a face lies beyond a center of curvature, if
      * an edge that does not exist is supported, or if a point is not a node.
      */
-    ShellMesh(
-      const MPI_Comm                          communicator,
-      std::unique_ptr<const ReferenceSurface> surface,
-      const ChartGrid                        &grid,
-      const Layup                            &layup,
-      const Supports                         &supports,
-      const std::vector<NamedPoint>          &points,
-      const StrainSampling  sampling         = StrainSampling::vertices,
-      const Interpolation   interpolation    = Interpolation::components,
-      const ThicknessStrain thickness_strain = ThicknessStrain::by_layers);
+    ShellMesh(const MPI_Comm                          communicator,
+              std::unique_ptr<const ReferenceSurface> surface,
+              const ChartGrid                        &grid,
+              const Layup                            &layup,
+              const Supports                         &supports,
+              const std::vector<NamedPoint>          &points,
+              const Formulation formulation = Formulation::standard);
 
     /**
-     * The mesh of a file. The element is Interpolation::Cartesian with
-     * StrainSampling::means.
+     * The mesh of a file, with Formulation::standard.
      *
      * Throws InputError if the direction of the material is not finite or
      * normal to a cell, if a face is turned inside out, or if an edge or a
@@ -177,15 +173,13 @@ namespace Biface
      * @param surface without coordinates.
      * @param grid without lines, of which only the distribution counts.
      */
-    ShellMesh(
-      const MPI_Comm                          communicator,
-      std::unique_ptr<const ReferenceSurface> surface,
-      const ChartGrid                        &grid,
-      const MeshFile                         &file,
-      const Layup                            &layup,
-      const Supports                         &supports,
-      const std::vector<NamedPoint>          &points,
-      const ThicknessStrain thickness_strain = ThicknessStrain::by_layers);
+    ShellMesh(const MPI_Comm                          communicator,
+              std::unique_ptr<const ReferenceSurface> surface,
+              const ChartGrid                        &grid,
+              const MeshFile                         &file,
+              const Layup                            &layup,
+              const Supports                         &supports,
+              const std::vector<NamedPoint>          &points);
 
     /** Let the stress-free shell deviate from the surface, but where supports
      * hold it. Throws InputError, see Imperfection, and if the deviation is
@@ -207,10 +201,10 @@ namespace Biface
       return *layup;
     }
 
-    const StrainSampling sampling;
-    const Interpolation  interpolation;
-    /** The source of the thickness strain of the elements; never by_layers. */
-    const ThicknessStrain thickness_strain;
+    const Formulation formulation;
+    /** Whether the thickness strain is that of the distance of the faces, see
+     * NormalThickness: if the wall has several layers. */
+    const bool normal_thickness;
 
     /** The strips of the whole wall between the lines of the first coordinate,
      * in ascending order, followed by those of single layers if there are

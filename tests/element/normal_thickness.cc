@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// With the thickness strain of the mean director, and with that of the distance
-// along the normal, forces and tangent are the derivatives of the energy, and
-// rigid motions cause no strain. A director that alternates between vertices
-// has the mean square of its interpolation in short cells, and that of the
-// vertices in long ones.
+// With the thickness strain of the distance of the faces along the normal,
+// forces and tangent are the derivatives of the energy, and rigid motions cause
+// no strain. The director that it starts from has, where it alternates between
+// vertices, the mean square of its interpolation in short cells, and that of
+// the vertices in long ones.
 
 #include <cmath>
 
@@ -22,41 +22,29 @@ namespace
 {
   using NodalVector = MixedElement::NodalVector;
 
-  ElementGeometry
-  with(const ThicknessStrain thickness_strain, ElementGeometry geometry)
-  {
-    geometry.thickness_strain = thickness_strain;
-    return geometry;
-  }
-
-
   void
   test_derivatives(const ElementGeometry &geometry)
   {
     const ModeStiffness stiffness(
       Layup(Layup::Parameters(), cord_ply()).laminate(0).stiffness(),
-      geometry.sampling);
+      geometry.formulation);
     const NodalVector V = some_vector<24>(0.3, 1), dV = some_vector<24>(0.3, 2);
     const MixedElement  element(geometry, V);
     const Modes::Vector H_0 =
       some_vector<Modes::n>(stiffness.resultants(element.strain()).norm(), 3);
 
-    // the strains of the mean director are quadratic, so that any step is exact
-    const bool is_quadratic =
-      (geometry.thickness_strain == ThicknessStrain::mean_director);
-    const double        length    = is_quadratic ? 1 : 1e-4;
+    const double        step      = 1e-4;
     const Modes::Vector variation = element.strain_variation(dV);
     const Modes::Vector difference =
-      (MixedElement(geometry, V + length * dV).strain() -
-       MixedElement(geometry, V - length * dV).strain()) /
-      (2 * length);
+      (MixedElement(geometry, V + step * dV).strain() -
+       MixedElement(geometry, V - step * dV).strain()) /
+      (2 * step);
     check_small("  variation of the strains",
                 (variation - difference).norm(),
-                is_quadratic ? 1e-13 : 1e-8,
+                1e-8,
                 variation.norm());
 
-    const double step     = 1e-4;
-    const auto   force_at = [&](const NodalVector &V) {
+    const auto force_at = [&](const NodalVector &V) {
       const MixedElement element(geometry, V);
       return element.internal_force(stiffness.resultants(element.strain()),
                                     H_0);
@@ -94,9 +82,7 @@ namespace
 
   /** Turn a cell as a whole. */
   void
-  test_rotation(const TestCell              &cell,
-                const std::array<double, 2> &heights,
-                const ElementGeometry       &geometry)
+  test_rotation(const TestCell &cell, const std::array<double, 2> &heights)
   {
     const double angle = 0.7;
     NodalVector  V;
@@ -111,7 +97,7 @@ namespace
           add_face_displacement(point.to_frame(turned - x), v, face, V);
         }
     check_small("  strains of a rigid rotation",
-                MixedElement(geometry, V).strain().norm(),
+                MixedElement(cell.geometry, V).strain().norm(),
                 1e-12);
   }
 
@@ -119,21 +105,25 @@ namespace
   /** A director that turns by small angles of opposite sign along one
    * coordinate. */
   void
-  test_mean(const std::string &length, const double part)
+  test_director(const Formulation  formulation,
+                const std::string &length,
+                const double       part)
   {
-    const double   h = 2, slope = 1e-2;
-    const TestCell cell =
-      make_cells(Plane(), {{"0:" + length + ":1", "0:1:1"}}, [&](const double) {
-        return std::array<double, 2>{{0, h}};
-      })[0];
+    const double h = 2, slope = 1e-2;
+    TestCell     cell = make_cells(Plane(),
+                               {{"0:" + length + ":1", "0:1:1"}},
+                               {{0, h}},
+                               formulation,
+                               true)[0];
+    // without what NormalThickness subtracts
+    cell.geometry.normal_thickness = false;
     NodalVector V;
     for (unsigned int v = 0; v < 4; ++v)
       V[MixedElement::dof(v, 0, MixedElement::half_difference)] =
         (v % 2 == 0 ? -1 : 1) * slope * h / 2;
     const double E_33 =
-      MixedElement(with(ThicknessStrain::mean_director, cell.geometry), V)
-        .strain()[Resultants::thickness];
-    check_small("thickness strain, length " + length,
+      MixedElement(cell.geometry, V).strain()[Resultants::thickness];
+    check_small("director, length " + length,
                 E_33 - part * slope * slope / 2,
                 2e-3,
                 slope * slope / 2);
@@ -146,26 +136,14 @@ main()
 {
   const std::array<std::string, 2> intervals{{"40:45:1", "10:15:1"}};
   const std::array<double, 2>      heights{{-1, 3.8}};
-  for (const auto &[sampling, interpolation] : all_elements())
+  for (const auto formulation : {Formulation::vertices, Formulation::standard})
     {
-      std::cout << "sampling: " << name_of(sampling)
-                << ", interpolation: " << name_of(interpolation) << std::endl;
-      const TestCell cell = make_cells(
-        torus(),
-        intervals,
-        [&](const double) { return heights; },
-        sampling,
-        interpolation)[0];
-      for (const auto thickness_strain :
-           {ThicknessStrain::mean_director, ThicknessStrain::normal})
-        {
-          const ElementGeometry geometry =
-            with(thickness_strain, cell.geometry);
-          test_derivatives(geometry);
-          if (interpolation == Interpolation::Cartesian)
-            test_rotation(cell, heights, geometry);
-        }
+      std::cout << "formulation: " << name_of(formulation) << std::endl;
+      const TestCell cell =
+        make_cells(torus(), intervals, heights, formulation, true)[0];
+      test_derivatives(cell.geometry);
+      test_rotation(cell, heights);
+      test_director(formulation, "0.05", 1. / 3);
+      test_director(formulation, "500", 1);
     }
-  test_mean("0.05", 1. / 3);
-  test_mean("500", 1);
 }
