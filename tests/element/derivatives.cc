@@ -59,23 +59,16 @@ namespace
       H_0 = some_vector<Modes::n>(
         stiffness.resultants(MixedElement(geometry, V).strain()).norm(), 3);
 
-    const auto force_at = [&](const NodalVector &V) {
-      const MixedElement element(geometry, V);
-      return element.internal_force(stiffness.resultants(element.strain()),
-                                    H_0);
-    };
-    const auto energy_at = [&](const NodalVector &V) {
-      const MixedElement  element(geometry, V);
-      const Modes::Vector E = element.strain();
-      return geometry.weight *
-             (Modes::mean_product(stiffness.resultants(E), E) / 2 +
-              Modes::mean_product(H_0, element.nonlinear_strain()));
+    const ElasticElement elastic{geometry, stiffness, H_0};
+    const auto           force_at = [&](const NodalVector &V) {
+      return elastic.force(V);
     };
 
     if (law != ThicknessLaw::asymmetric)
       {
         const double difference =
-          (energy_at(V + step * dV) - energy_at(V - step * dV)) / (2 * step);
+          (elastic.energy(V + step * dV) - elastic.energy(V - step * dV)) /
+          (2 * step);
         check_small("  internal force",
                     force_at(V) * dV - difference,
                     1e-8,

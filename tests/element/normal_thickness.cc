@@ -44,22 +44,14 @@ namespace
                 1e-8,
                 variation.norm());
 
-    const auto force_at = [&](const NodalVector &V) {
-      const MixedElement element(geometry, V);
-      return element.internal_force(stiffness.resultants(element.strain()),
-                                    H_0);
-    };
-    const auto energy_at = [&](const NodalVector &V) {
-      const MixedElement  element(geometry, V);
-      const Modes::Vector E = element.strain();
-      return geometry.weight *
-             (Modes::mean_product(stiffness.resultants(E), E) / 2 +
-              Modes::mean_product(H_0, element.nonlinear_strain()));
+    const ElasticElement elastic{geometry, stiffness, H_0};
+    const auto           force_at = [&](const NodalVector &V) {
+      return elastic.force(V);
     };
     check_small("  internal force",
-                force_at(V) * dV -
-                  (energy_at(V + step * dV) - energy_at(V - step * dV)) /
-                    (2 * step),
+                force_at(V) * dV - (elastic.energy(V + step * dV) -
+                                    elastic.energy(V - step * dV)) /
+                                     (2 * step),
                 1e-7,
                 force_at(V).norm() * dV.norm());
 

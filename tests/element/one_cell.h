@@ -130,6 +130,36 @@ make_cells(const Biface::ReferenceSurface   &surface,
 }
 
 
+/** An element with a linear law and initial resultants, whose force is the
+ * derivative of its energy by the displacements. */
+struct ElasticElement
+{
+  const Biface::ElementGeometry &geometry;
+  const Biface::ModeStiffness   &stiffness;
+  const Biface::Modes::Vector    initial_resultants;
+
+  Biface::MixedElement::NodalVector
+  force(const Biface::MixedElement::NodalVector &V) const
+  {
+    const Biface::MixedElement element(geometry, V);
+    return element.internal_force(stiffness.resultants(element.strain()),
+                                  initial_resultants);
+  }
+
+  double
+  energy(const Biface::MixedElement::NodalVector &V) const
+  {
+    using namespace Biface;
+    const MixedElement  element(geometry, V);
+    const Modes::Vector E = element.strain();
+    return geometry.weight *
+           (Modes::mean_product(stiffness.resultants(E), E) / 2 +
+            Modes::mean_product(initial_resultants,
+                                element.nonlinear_strain()));
+  }
+};
+
+
 /** The norm of what a tangent differs by from central differences of the
  * forces. */
 template <typename Force>
