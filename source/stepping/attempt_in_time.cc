@@ -11,8 +11,8 @@
 #include <biface/input/parameter_tools.h>
 #include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_interaction.h>
-#include <biface/model/contact/contact_over_step.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/contact/settle_friction.h>
 #include <biface/model/mesh/supports.h>
 #include <biface/model/state/step_in_time.h>
 #include <biface/model/time/energy_of_motion.h>

@@ -20,10 +20,16 @@ namespace Biface
                              const Resultants::Face face,
                              const State           &state,
                              const ContactState    &zone,
-                             const PlacedBody      &body,
-                             const Rolling         &rolling)
-    : mesh(mesh), face(face), body(body), places(mesh.nodes.size())
+                             const PlacedBody      *body,
+                             const Rolling         *rolling)
+    : mesh(mesh)
+    , face(face)
+    , body(body)
+    , law(body && rolling ? body->laws.bristles() : nullptr)
   {
+    if (!exist())
+      return;
+    places.resize(mesh.nodes.size());
     // a bristle depends on all nodes that its particle has passed, on whatever
     // rank, so that each rank has the whole footprint
     std::map<unsigned int, std::map<unsigned int, LineNode>> by_line;
@@ -44,7 +50,7 @@ namespace Biface
           known.area = area;
         }
     for (const auto &line : by_line)
-      append_lines(line.second, rolling);
+      append_lines(line.second, *rolling);
 
     std::map<types::global_cell_index, unsigned int> own;
     for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
@@ -147,14 +153,14 @@ namespace Biface
           // the angle of a station is that of the segment to the node before it
           const unsigned int lower = (backward ? before(place) : place);
           line.stations.push_back(
-            BristleLaw::station(body.body,
+            BristleLaw::station(body->body,
                                 found->second.x,
                                 found->second.touches,
                                 grid_lines[lower + 1] - grid_lines[lower]));
           line.stations.back().pressure = found->second.pressure;
           line.nodes.push_back(found->second);
         }
-      line.bristles = law().deflections(line.stations, rolling);
+      line.bristles = law->deflections(line.stations, rolling);
       lines.push_back(std::move(line));
     };
 
@@ -178,22 +184,30 @@ namespace Biface
   }
 
 
-  const BristleLaw &
-  BristleLines::law() const
-  {
-    return *body.laws.bristles();
-  }
-
-
   const BristleLaw::Bristle *
   BristleLines::at(const unsigned int node) const
   {
-    if (!places[node])
+    if (!exist() || !places[node])
       return nullptr;
     const Line &line = lines[places[node]->first];
     return line.nodes[places[node]->second].touches
              ? &line.bristles[places[node]->second]
              : nullptr;
+  }
+
+
+  void
+  BristleLines::set_multipliers(ContactState &zone) const
+  {
+    for (unsigned int n = 0; n < places.size(); ++n)
+      if (const BristleLaw::Bristle *bristle = at(n))
+        {
+          zone.statuses[n] =
+            (bristle->slips() ? ContactStatus::slip : ContactStatus::stick);
+          for (unsigned int i = 0; i < 2; ++i)
+            zone.multipliers[n][1 + i] =
+              -law->tangential_stiffness() * bristle->deflection[i];
+        }
   }
 
 
@@ -227,7 +241,7 @@ namespace Biface
     if (line.nodes[j].touches)
       for (unsigned int c = 0; c < 2; ++c)
         force -=
-          line.nodes[j].area * law().tangential_stiffness() *
+          line.nodes[j].area * law->tangential_stiffness() *
           (line.bristles[j].deflection[c] + line.bristles[j].extrapolation[c]) *
           line.stations[j].tangents[c];
     return force;
@@ -253,7 +267,7 @@ namespace Biface
         if (i == j)
           derivative += bristle.deflection[c] * station.tangent_gradients[c];
       }
-    return -line.nodes[j].area * law().tangential_stiffness() * derivative;
+    return -line.nodes[j].area * law->tangential_stiffness() * derivative;
   }
 
 
@@ -266,12 +280,12 @@ namespace Biface
     if (!line.nodes[j].touches)
       return rate;
     // a travel of the body is equivalent to the opposite motion of all nodes
-    const Tensor<1, 3> motion = rates.travel * body.body.direction();
+    const Tensor<1, 3> motion = rates.travel * body->body.direction();
     if (rates.travel != 0)
       for (unsigned int i = line.bristles[j].first; i <= j; ++i)
         rate += force_derivative(line, j, i) * motion;
     for (unsigned int c = 0; c < 2; ++c)
-      rate -= line.nodes[j].area * law().tangential_stiffness() *
+      rate -= line.nodes[j].area * law->tangential_stiffness() *
               rates.angular_velocity *
               line.bristles[j].per_angular_velocity[c] *
               line.stations[j].tangents[c];
@@ -289,7 +303,7 @@ namespace Biface
           return;
         const BristleLaw::Bristle &bristle = line.bristles[j];
         const double               stiffness =
-          line.nodes[j].area * law().tangential_stiffness();
+          line.nodes[j].area * law->tangential_stiffness();
         // with the mean of the segment, its work is all stored or lost
         Tensor<1, 2> mean = bristle.deflection;
         if (j > 0)

@@ -148,8 +148,7 @@ namespace Biface
                                     const Loads &loads,
                                     LA::Vector  &nodal_forces) const
   {
-    if (const auto lines = contact.bristle_lines(state, loads))
-      lines->add_forces(nodal_forces);
+    contact.bristle_lines(state, loads).add_forces(nodal_forces);
   }
 
 
@@ -158,8 +157,7 @@ namespace Biface
                                const Loads           &loads,
                                std::vector<Coupling> &couplings) const
   {
-    if (const auto lines = contact.bristle_lines(state, loads))
-      lines->add_couplings(couplings);
+    contact.bristle_lines(state, loads).add_couplings(couplings);
   }
 
 
@@ -170,8 +168,8 @@ namespace Biface
     const LoadRates &rates,
     LA::Vector      &nodal_forces) const
   {
-    if (const auto lines = contact.bristle_lines(state, loads))
-      lines->add_load_derivative(rates, nodal_forces);
+    contact.bristle_lines(state, loads)
+      .add_load_derivative(rates, nodal_forces);
   }
 
 

@@ -138,14 +138,16 @@ namespace Biface
   }
 
 
-  std::optional<BristleLines>
+  BristleLines
   ContactPair::bristle_lines(const State &state, const Loads &loads) const
   {
-    const PlacedBody *placed = body(loads);
-    if (!placed || !placed->laws.bristles() || !loads.rolling)
-      return {};
-    return BristleLines(
-      mesh, streamlines, face, state, state_of(state), *placed, *loads.rolling);
+    return BristleLines(mesh,
+                        streamlines,
+                        face,
+                        state,
+                        state_of(state),
+                        body(loads),
+                        loads.rolling.get());
   }
 
 
@@ -237,7 +239,7 @@ namespace Biface
           ++n_changes;
         set_tangential_multipliers(state, law, at);
       }
-    set_multipliers_of_bristles(state, loads);
+    bristle_lines(state, loads).set_multipliers(state_of(state));
     return n_changes;
   }
 
@@ -334,28 +336,7 @@ namespace Biface
           set_tangential_multipliers(
             state, placed->laws.tangential(), at_point(state, loads, n));
       }
-    set_multipliers_of_bristles(state, loads);
-  }
-
-
-  void
-  ContactPair::set_multipliers_of_bristles(State       &state,
-                                           const Loads &loads) const
-  {
-    const auto lines = bristle_lines(state, loads);
-    if (!lines)
-      return;
-    const double stiffness =
-      body(loads)->laws.bristles()->tangential_stiffness();
-    ContactState &zone = state_of(state);
-    for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
-      if (const BristleLaw::Bristle *bristle = lines->at(n))
-        {
-          zone.statuses[n] =
-            (bristle->slips() ? ContactStatus::slip : ContactStatus::stick);
-          for (unsigned int i = 0; i < 2; ++i)
-            zone.multipliers[n][1 + i] = -stiffness * bristle->deflection[i];
-        }
+    bristle_lines(state, loads).set_multipliers(state_of(state));
   }
 
 

@@ -98,17 +98,15 @@ namespace Biface
           mesh.add_nodal_forces(cell, gradient, result.gradient);
         }
 
-      if (const auto lines = pair.bristle_lines(state, loads))
-        {
-          std::vector<double> per_rate(rates.size());
-          sums[0] += lines->add_work(motion.at,
-                                     motion.transposed_derivative,
-                                     rates,
-                                     result.gradient,
-                                     per_rate);
-          for (unsigned int i = 0; i < rates.size(); ++i)
-            sums[2 + i] += per_rate[i];
-        }
+      std::vector<double> per_rate(rates.size());
+      sums[0] += pair.bristle_lines(state, loads)
+                   .add_work(motion.at,
+                             motion.transposed_derivative,
+                             rates,
+                             result.gradient,
+                             per_rate);
+      for (unsigned int i = 0; i < rates.size(); ++i)
+        sums[2 + i] += per_rate[i];
       result.gradient.compress(VectorOperation::add);
       mesh.condense(result.gradient);
       Utilities::MPI::sum(sums, mesh.communicator, sums);

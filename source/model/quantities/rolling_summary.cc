@@ -54,10 +54,11 @@ namespace Biface
                   const Loads       &loads)
   {
     std::vector<Tensor<1, 3>> velocities(contact.mesh.nodes.size());
-    if (const auto lines = contact.bristle_lines(state, loads))
+    const BristleLines        lines = contact.bristle_lines(state, loads);
+    if (lines.exist())
       {
         for (unsigned int n = 0; n < velocities.size(); ++n)
-          velocities[n] = lines->slip_velocity(n);
+          velocities[n] = lines.slip_velocity(n);
         return velocities;
       }
     for (unsigned int n = 0; n < velocities.size(); ++n)
@@ -145,13 +146,14 @@ namespace Biface
     result.axle_power   = result.axle_moment * rolling.angular_velocity;
     result.ground_power = exerted.force * motion.velocity +
                           exerted.moment_about(motion.point) * motion.spin;
-    result.friction_power = powers[0];
-    result.normal_power   = powers[1];
-    result.sliding_power  = result.friction_power;
-    if (const auto lines = contact.bristle_lines(state, loads))
+    result.friction_power    = powers[0];
+    result.normal_power      = powers[1];
+    result.sliding_power     = result.friction_power;
+    const BristleLines lines = contact.bristle_lines(state, loads);
+    if (lines.exist())
       {
         const BristleLines::Powers of_bristles =
-          lines->powers(rolling.angular_velocity);
+          lines.powers(rolling.angular_velocity);
         result.sliding_power = of_bristles.sliding;
         result.release_power = of_bristles.release;
       }

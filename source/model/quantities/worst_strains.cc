@@ -198,19 +198,14 @@ namespace Biface
                 const InternalForces &forces,
                 const State          &state)
   {
-    std::vector<Candidate> compressions, shears;
-    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+    // the whole wall of a stack has no strains of its own
+    std::vector<Candidate> compressions(mesh.cells.size()),
+      shears(mesh.cells.size());
+    for (const unsigned int c : mesh.layers)
       {
-        // the whole wall of a stack has no strains of its own
-        if (!mesh.cells[c].is_layer)
-          {
-            compressions.emplace_back();
-            shears.emplace_back();
-            continue;
-          }
         const Strains strains = forces.total_strains_at_vertices(state, c);
-        compressions.push_back(maximum_compression(strains));
-        shears.push_back(maximum_shear(strains));
+        compressions[c]       = maximum_compression(strains);
+        shears[c]             = maximum_shear(strains);
       }
     WorstStrains worst{maximum(mesh, compressions)->stiffness,
                        maximum(mesh, shears)->stiffness,

@@ -8,6 +8,7 @@
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_over_step.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/contact/settle_friction.h>
 #include <biface/model/equations/mass_matrix.h>
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/state/step_in_time.h>

@@ -25,7 +25,8 @@ namespace Biface
   /**
    * The bristles of a footprint, on all its streamlines, see BristleLaw: each
    * rank has those of its own nodes, and knows on which nodes before them they
-   * depend, on any rank.
+   * depend, on any rank. Without bristles there are no lines, and all that
+   * they add is zero.
    */
   class BristleLines
   {
@@ -33,19 +34,32 @@ namespace Biface
     /** Compute the bristles. Must be called on all ranks.
      * @param face that touches the body.
      * @param zone what happens between both.
-     * @param body its laws have bristles. */
+     * @param body whose laws may have bristles; null if it is not there.
+     * @param rolling null if the shell stands. */
     BristleLines(const ShellMesh       &mesh,
                  const Streamlines     &streamlines,
                  const Resultants::Face face,
                  const State           &state,
                  const ContactState    &zone,
-                 const PlacedBody      &body,
-                 const Rolling         &rolling);
+                 const PlacedBody      *body,
+                 const Rolling         *rolling);
+
+    /** Whether the body holds the shell by bristles. */
+    bool
+    exist() const
+    {
+      return law != nullptr;
+    }
 
     /** The bristle at a node of this rank; null if it does not touch, or lies
      * on no line. */
     const BristleLaw::Bristle *
     at(const unsigned int node) const;
+
+    /** Set the state and the tangential multipliers of all nodes with a
+     * bristle. */
+    void
+    set_multipliers(ContactState &zone) const;
 
     /** The slip velocity of the tip of a bristle. */
     dealii::Tensor<1, 3>
@@ -137,9 +151,6 @@ namespace Biface
       std::vector<BristleLaw::Bristle> bristles;
     };
 
-    const BristleLaw &
-    law() const;
-
     /** The nodes of this rank that touch or have a neighbor that does. */
     std::vector<LineNode>
     own_nodes(const Streamlines  &streamlines,
@@ -182,10 +193,12 @@ namespace Biface
 
     const ShellMesh       &mesh;
     const Resultants::Face face;
-    const PlacedBody      &body;
-    std::vector<Line>      lines;
+    const PlacedBody      *body;
+    /** The law of the bristles; null if there are none. */
+    const BristleLaw *law;
+    std::vector<Line> lines;
     /** The line of each node of this rank and the position in it; not set for
-     * nodes without a bristle. */
+     * nodes without a bristle. Empty if there are none. */
     std::vector<std::optional<std::pair<unsigned int, unsigned int>>> places;
   };
 } // namespace Biface

@@ -3,15 +3,57 @@
 #ifndef biface_model_contact_contact_over_step_h
 #define biface_model_contact_contact_over_step_h
 
+#include <deal.II/base/point.h>
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <functional>
 #include <optional>
 
 #include <biface/contact/tangential_law.h>
+#include <biface/model/contact/friction_over_step.h>
 
 namespace Biface
 {
   class ContactPair;
   struct Loads;
   struct State;
+
+
+  /** What happens over a StepInTime at a point that touches a body. */
+  struct OverStep
+  {
+    /** The place of the point at the end, its clearance there, and the normal
+     * along which the multiplier acts. Unit: length. */
+    dealii::Point<3>     x;
+    double               clearance;
+    dealii::Tensor<1, 3> normal;
+
+    /** The multiplier, and its derivative by the clearance at the end. */
+    struct Multiplier
+    {
+      double value, derivative;
+    };
+    Multiplier lambda;
+
+    /** The derivative of the normal of the body halfway. Unit: 1/length. */
+    dealii::SymmetricTensor<2, 3> normal_gradient;
+    /** How the body holds the point sideways; not set without friction. */
+    std::optional<FrictionOverStep> friction;
+  };
+
+  /** What happens at a point; nothing if it touches at neither end of the step.
+   * @param state, loads those at the end of the step. */
+  std::optional<OverStep>
+  over_step(const ContactPair &contact,
+            const State       &state,
+            const Loads       &loads,
+            const unsigned int point);
+
+  /** The sum over the points of a pair on all ranks of a function of each,
+   * times its area on a cell. */
+  double
+  sum_over_points(const ContactPair                               &contact,
+                  const std::function<double(const unsigned int)> &function);
 
 
   /**
@@ -33,22 +75,6 @@ namespace Biface
                      const State       &state,
                      const Loads       &loads,
                      const unsigned int point);
-
-
-  /** At the end of a StepInTime, set what the points of a pair remember of
-   * friction. */
-  void
-  settle_friction_over_step(const ContactPair &contact,
-                            const Loads       &loads,
-                            State             &state);
-
-
-  /** The work that friction dissipates in the StepInTime of a state at points
-   * that slip, on all ranks. Unit: force times length. */
-  double
-  friction_work_over_step(const ContactPair &contact,
-                          const State       &state,
-                          const Loads       &loads);
 
 
   /** The energy in the springs of a pair on all ranks,

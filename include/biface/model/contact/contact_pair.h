@@ -91,9 +91,9 @@ namespace Biface
     bool
     has_friction(const Loads &loads) const;
 
-    /** The bristles on the streamlines, if the body holds the nodes by them.
-     * Must be called on all ranks; the body must outlive the result. */
-    std::optional<BristleLines>
+    /** The bristles on the streamlines. Must be called on all ranks; the body
+     * must outlive the result. */
+    BristleLines
     bristle_lines(const State &state, const Loads &loads) const;
 
     /** The laws of contact in a stage.
@@ -230,10 +230,6 @@ namespace Biface
     set_tangential_multipliers(State                &state,
                                const TangentialLaw  &law,
                                const PointInContact &at) const;
-
-    /** Set the tangential multipliers of all nodes if there are bristles. */
-    void
-    set_multipliers_of_bristles(State &state, const Loads &loads) const;
 
     const ContactConditionParameters condition_parameters;
     const FrictionParameters         friction_parameters;
