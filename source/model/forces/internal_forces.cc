@@ -41,13 +41,14 @@ namespace Biface
     // stresses follow from the strains since the imperfect shape, which is free
     // of stress (section 1 of doc/theory.md)
     if (mesh.imperfection.size() > 0)
-      for (const Cell &cell : mesh.cells)
-        of_imperfection.push_back(
-          cell.is_layer
-            ? MixedElement(cell.geometry,
-                           mesh.cell_values(mesh.imperfection, cell))
-                .strain()
-            : Modes::Vector());
+      {
+        of_imperfection.resize(mesh.cells.size());
+        for (const unsigned int c : mesh.layers)
+          of_imperfection[c] =
+            MixedElement(mesh.cells[c].geometry,
+                         mesh.cell_values(mesh.imperfection, mesh.cells[c]))
+              .strain();
+      }
   }
 
 
@@ -80,10 +81,9 @@ namespace Biface
     std::vector<Modes::Vector> of_strips;
     for (const Strip &strip : mesh.strips)
       of_strips.push_back(Modes::constant(strip.laminate.initial_resultants()));
-    std::vector<Modes::Vector> resultants;
-    for (const Cell &cell : mesh.cells)
-      resultants.push_back(cell.is_layer ? of_strips[cell.strip]
-                                         : Modes::Vector());
+    std::vector<Modes::Vector> resultants(mesh.cells.size());
+    for (const unsigned int c : mesh.layers)
+      resultants[c] = of_strips[mesh.cells[c].strip];
 
     const auto          &given = mesh.get_layup().get_initial_resultants();
     std::vector<Formula> formulas;
@@ -590,9 +590,11 @@ namespace Biface
     result.displacement = state.linearization_point->displacement;
     result.predicted_strains.clear();
     if (is_nonlinear())
-      for (unsigned int c = 0; c < mesh.cells.size(); ++c)
-        result.predicted_strains.push_back(
-          mesh.cells[c].is_layer ? strains(state, c) : Modes::Vector());
+      {
+        result.predicted_strains.resize(mesh.cells.size());
+        for (const unsigned int c : mesh.layers)
+          result.predicted_strains[c] = strains(state, c);
+      }
     result.linearization_point = nullptr;
     return result;
   }

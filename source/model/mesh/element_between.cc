@@ -33,8 +33,7 @@ namespace Biface
     element.geometry.along_lines = false;
     element.geometry.stations    = straight_stations(points);
     // the faces move by the half differences over all layers
-    if (mesh.n_layers() > 1)
-      element.contributions.resize(4 * mesh.n_layers());
+    element.contributions.resize(4 * mesh.n_layers());
     return element;
   }
 } // namespace Biface

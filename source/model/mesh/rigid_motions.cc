@@ -97,10 +97,7 @@ namespace Biface
             (outer -
              mesh.deformed_position(displacement, node, Resultants::inner)) /
             2;
-          directors.push_back({outer - half, {half}});
-          if (node.n_layers() == 1)
-            continue;
-          directors.back().half.clear();
+          directors.push_back({outer - half, {}});
           for (unsigned int k = 0; k < node.n_layers(); ++k)
             directors.back().half.push_back(
               (mesh.position_of_any_face(displacement, node, k + 1) -
