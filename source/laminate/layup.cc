@@ -11,6 +11,7 @@
 #include <biface/base/errors.h>
 #include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/input/read_file.h>
 #include <biface/laminate/layup.h>
 #include <biface/laminate/material_parameters.h>
 
@@ -59,7 +60,10 @@ namespace Biface
                "crown, the largest radius of the mesh, and pantograph: "
                "the cosine of their angle from the circumference is "
                "proportional to r. With the meridian 'cord equilibrium' "
-               "they know its crown cord angle beta_c.",
+               "they know its crown cord angle beta_c. On a mesh from a "
+               "file they are formulas of the position x, y, z instead, such "
+               "as 2 - 0.01*x: nodes have the thickness there, and a cell has "
+               "the stiffness of its center.",
                Unit::several("length, degrees, alpha_1 as in 'Mesh'"));
     add_parsed(
       prm,
@@ -320,22 +324,23 @@ namespace Biface
 
 
     /** The distance of the cords by alpha_1, see CordAndRubber::cord_pitch. */
-    std::function<double(const double)>
-    make_cord_pitch(const CordAndRubber                       &material,
-                    const std::function<double(const double)> &angle,
-                    const SurfaceOfPlies                      &surface)
+    std::function<double(const PlyPlace &)>
+    make_cord_pitch(const CordAndRubber                           &material,
+                    const std::function<double(const PlyPlace &)> &angle,
+                    const SurfaceOfPlies                          &surface)
     {
       // On a surface of revolution the number of cords is the same everywhere,
       // on other surfaces, and along the circumference, the distance.
       const double at_crown = material.cord_pitch;
       const double sine     = std::abs(std::cos(angle(surface.crown)));
       if (!surface.radius || sine < 1e-6)
-        return [at_crown](const double) { return at_crown; };
+        return [at_crown](const PlyPlace &) { return at_crown; };
       // the distance t is proportional to r sin(beta), section 4 of
       // doc/theory.md; the cosine of the angle from the meridian is sin(beta)
       const double factor = at_crown / (surface.radius(surface.crown) * sine);
-      return [factor, angle, radius = surface.radius](const double alpha_1) {
-        return factor * radius(alpha_1) * std::abs(std::cos(angle(alpha_1)));
+      return [factor, angle, radius = surface.radius](const PlyPlace &place) {
+        return factor * radius(place.alpha_1) *
+               std::abs(std::cos(angle(place)));
       };
     }
 
@@ -353,28 +358,27 @@ namespace Biface
       if (cords.thickness == CordAndRubber::Thickness::constant_volume)
         ply.thickness = [given    = ply.thickness,
                          pitch    = ply.cord_pitch,
-                         at_crown = cords.cord_pitch](const double alpha_1) {
-          return given(alpha_1) * at_crown / pitch(alpha_1);
+                         at_crown = cords.cord_pitch](const PlyPlace &place) {
+          return given(place) * at_crown / pitch(place);
         };
       ply.laws = [material,
                   text      = ply.text,
                   pitch     = ply.cord_pitch,
                   thickness = ply.thickness](
-                   const double                 alpha_1,
+                   const PlyPlace              &place,
                    const SymmetricTensor<2, 3> &initial_stress) {
         // the volume fraction of the section normal to the cords; cords that
         // touch leave no rubber between them
         const CordAndRubber &cords = material.cord_and_rubber;
-        const double         t = thickness(alpha_1), P = pitch(alpha_1);
+        const double         t = thickness(place), P = pitch(place);
         if (!(P > cords.cord_diameter && t > cords.cord_diameter))
-          throw InputError("Laminate/Plies",
-                           text,
-                           "at alpha_1 = " + number_to_string(alpha_1) +
-                             " its cords of the diameter " +
-                             number_to_string(cords.cord_diameter) +
-                             " have the distance " + number_to_string(P) +
-                             " in the thickness " + number_to_string(t) +
-                             ", but both must be greater than the diameter");
+          throw InputError(
+            "Laminate/Plies",
+            text,
+            "at " + place.in_words() + " its cords of the diameter " +
+              number_to_string(cords.cord_diameter) + " have the distance " +
+              number_to_string(P) + " in the thickness " + number_to_string(t) +
+              ", but both must be greater than the diameter");
         return material.laws(cords.cord_area() / (P * t), initial_stress);
       };
     }
@@ -432,13 +436,15 @@ namespace Biface
       ply.material       = material.of_ply();
       ply.thickness      = tables.function(given.thickness);
       const auto degrees = tables.function(given.angle);
-      ply.angle          = [degrees, angle_reference](const double alpha_1) {
-        return angle_from_meridian(degrees(alpha_1), angle_reference);
+      ply.angle          = [degrees, angle_reference](const PlyPlace &place) {
+        return angle_from_meridian(degrees(place), angle_reference);
       };
+      ply.varies = !given.thickness.used_names().empty() ||
+                   !given.angle.used_names().empty();
       if (material.type == MaterialParameters::Type::cord_and_rubber)
         set_cords(material, surface, ply);
       else
-        ply.laws = [material](const double,
+        ply.laws = [material](const PlyPlace &,
                               const SymmetricTensor<2, 3> &initial) {
           return material.laws(0, initial);
         };
@@ -449,18 +455,18 @@ namespace Biface
     }
 
 
-    /** The initial stress of a ply by alpha_1, see PlyStresses. */
-    std::function<SymmetricTensor<2, 3>(const double)>
+    /** The initial stress of a ply by the place, see PlyStresses. */
+    std::function<SymmetricTensor<2, 3>(const PlyPlace &)>
     make_initial_stress(const PlyStresses::value_type &triple,
                         const MeridionalTables        &tables)
     {
       return [L  = tables.function(triple[0]),
               T  = tables.function(triple[1]),
-              LT = tables.function(triple[2])](const double alpha_1) {
+              LT = tables.function(triple[2])](const PlyPlace &place) {
         SymmetricTensor<2, 3> stress;
-        stress[0][0] = L(alpha_1);
-        stress[1][1] = T(alpha_1);
-        stress[0][1] = LT(alpha_1);
+        stress[0][0] = L(place);
+        stress[1][1] = T(place);
+        stress[0][1] = LT(place);
         return stress;
       };
     }
@@ -479,9 +485,7 @@ namespace Biface
     , reference(parameters.reference)
     , initial_resultants(parameters.initial_resultants)
   {
-    parameters.check(materials,
-                     {static_cast<bool>(surface.radius),
-                      surface.crown_cord_angle.has_value()});
+    parameters.check(materials, PlyVariables(surface));
     const AngleReference   angle_reference = parameters.angle_reference;
     const MeridionalTables tables(parameters.tables, surface, angle_reference);
     for (unsigned int p = 0; p < parameters.plies.size(); ++p)
@@ -492,9 +496,13 @@ namespace Biface
                                  surface,
                                  tables,
                                  angle_reference));
-        if (!parameters.initial_stresses.empty())
-          plies.back().initial_stress =
-            make_initial_stress(parameters.initial_stresses[p], tables);
+        if (parameters.initial_stresses.empty())
+          continue;
+        const auto &triple          = parameters.initial_stresses[p];
+        plies.back().initial_stress = make_initial_stress(triple, tables);
+        for (const Formula &stress : triple)
+          plies.back().varies =
+            plies.back().varies || !stress.used_names().empty();
       }
   }
 
@@ -530,7 +538,7 @@ namespace Biface
 
 
   std::vector<Ply>
-  Layup::plies_at(const double alpha_1, const double within) const
+  Layup::plies_at(const PlyPlace &place, const double within) const
   {
     std::vector<Ply> present;
     for (unsigned int p = 0; p < plies.size(); ++p)
@@ -539,22 +547,22 @@ namespace Biface
         // at the end of a ply, this selects the side
         if (within < ply.begin || within > ply.end)
           continue;
-        const double thickness = ply.thickness(alpha_1);
+        const double thickness = ply.thickness(place);
         if (!(thickness > 0))
           throw InputError("Laminate/Plies",
                            ply.text,
-                           "a thickness must be positive, and at alpha_1 = " +
-                             number_to_string(alpha_1) + " it is " +
+                           "a thickness must be positive, and at " +
+                             place.in_words() + " it is " +
                              number_to_string(thickness));
         const SymmetricTensor<2, 3> initial_stress =
-          ply.initial_stress ? ply.initial_stress(alpha_1)
+          ply.initial_stress ? ply.initial_stress(place)
                              : SymmetricTensor<2, 3>();
-        present.push_back({ply.laws(alpha_1, initial_stress),
+        present.push_back({ply.laws(place, initial_stress),
                            thickness,
-                           ply.angle(alpha_1),
+                           ply.angle(place),
                            initial_stress,
                            p,
-                           ply.cord_pitch ? ply.cord_pitch(alpha_1) : 0,
+                           ply.cord_pitch ? ply.cord_pitch(place) : 0,
                            ply.material});
       }
     if (present.empty())
@@ -566,15 +574,15 @@ namespace Biface
 
 
   Laminate
-  Layup::laminate(const double alpha_1, const double within) const
+  Layup::laminate(const PlyPlace &place, const double within) const
   {
-    std::vector<Ply> present          = plies_at(alpha_1, within);
+    std::vector<Ply> present          = plies_at(place, within);
     const double     reference_height = height(reference, present);
     return Laminate(std::move(present),
                     law,
                     reference_height,
                     shear_law,
-                    curvature ? curvature(alpha_1)
+                    curvature ? curvature(place.alpha_1)
                               : std::array<double, 2>{{0, 0}},
                     {},
                     along_normal);
@@ -582,13 +590,13 @@ namespace Biface
 
 
   std::vector<std::optional<Laminate>>
-  Layup::layers(const double alpha_1, const double within) const
+  Layup::layers(const PlyPlace &place, const double within) const
   {
-    const std::vector<Ply> present          = plies_at(alpha_1, within);
+    const std::vector<Ply> present          = plies_at(place, within);
     const double           reference_height = height(reference, present);
 
     const std::array<double, 2> at =
-      (curvature ? curvature(alpha_1) : std::array<double, 2>{{0, 0}});
+      (curvature ? curvature(place.alpha_1) : std::array<double, 2>{{0, 0}});
 
     std::vector<std::vector<Ply>> parts(n_layers());
     std::vector<Ply>              all;
@@ -641,8 +649,8 @@ namespace Biface
         if (thickness < 1e-6 * h)
           throw InputError("the entry 'Laminate/Layers' makes layer " +
                            std::to_string(result.size()) + " " +
-                           number_to_string(thickness) +
-                           " thick at alpha_1 = " + number_to_string(alpha_1) +
+                           number_to_string(thickness) + " thick at " +
+                           place.in_words() +
                            ", but a layer must have at least a millionth of "
                            "the thickness of the wall, " +
                            number_to_string(h) + ".");
@@ -673,6 +681,14 @@ namespace Biface
           std::make_pair(std::numeric_limits<double>::infinity(),
                          -std::numeric_limits<double>::infinity());
     return result;
+  }
+
+
+  bool
+  Layup::varies() const
+  {
+    return std::any_of(
+      plies.begin(), plies.end(), [](const auto &ply) { return ply.varies; });
   }
 
 

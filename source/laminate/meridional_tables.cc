@@ -25,6 +25,8 @@ namespace Biface
     std::vector<std::string>
     variables(const PlyVariables &known, const std::vector<TableFile> &tables)
     {
+      if (known.position)
+        return {"x", "y", "z"};
       std::vector<std::string> names{"alpha_1"};
       const auto               add = [&](const std::string &name) {
         const bool hidden =
@@ -81,6 +83,13 @@ namespace Biface
   }
 
 
+  PlyVariables::PlyVariables(const SurfaceOfPlies &surface)
+    : radius(surface.radius)
+    , crown_cord_angle(surface.crown_cord_angle)
+    , position(surface.groups)
+  {}
+
+
   void
   PlyVariables::bind(Formula                      &formula,
                      const std::vector<TableFile> &tables) const
@@ -92,9 +101,7 @@ namespace Biface
   MeridionalTables::MeridionalTables(const std::vector<TableFile> &files,
                                      const SurfaceOfPlies         &surface,
                                      const AngleReference angle_reference)
-    : names(variables({static_cast<bool>(surface.radius),
-                       surface.crown_cord_angle.has_value()},
-                      files))
+    : names(variables(PlyVariables(surface), files))
     , surface(surface)
     , angle_reference(angle_reference)
   {
@@ -126,7 +133,7 @@ namespace Biface
   }
 
 
-  std::function<double(const double)>
+  std::function<double(const PlyPlace &)>
   MeridionalTables::function(Formula formula) const
   {
     formula.bind(names);
@@ -136,8 +143,12 @@ namespace Biface
             crown_radius,
             surface   = surface,
             reference = static_cast<double>(angle_reference),
-            tables    = tables](const double alpha_1) {
+            tables    = tables](const PlyPlace &place) {
       // in the order of variables()
+      if (place.position)
+        return formula(
+          {(*place.position)[0], (*place.position)[1], (*place.position)[2]});
+      const double        alpha_1 = place.alpha_1;
       std::vector<double> values{alpha_1};
       if (surface.radius)
         {

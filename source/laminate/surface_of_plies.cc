@@ -4,10 +4,19 @@
 
 #include <cmath>
 
+#include <biface/input/parameter_tools.h>
 #include <biface/laminate/surface_of_plies.h>
 
 namespace Biface
 {
+  std::string
+  PlyPlace::in_words() const
+  {
+    return position ? "(" + vector_to_string(*position) + ")"
+                    : "alpha_1 = " + number_to_string(alpha_1);
+  }
+
+
   double
   lift(const double         crown_angle,
        const double         ratio,

@@ -38,7 +38,7 @@ namespace Biface
       for (unsigned int v = 0; v < 4; ++v)
         {
           const Laminate &laminate =
-            mesh.strips[mesh.cells[c].strip].at_lines[v & 1];
+            *mesh.strips[mesh.cells[c].strip].at_vertices[v];
           for (unsigned int p = 0; p < laminate.get_plies().size(); ++p)
             {
               const Ply            &ply = laminate.get_plies()[p];

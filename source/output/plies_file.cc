@@ -101,7 +101,7 @@ namespace Biface
                            cell.nodes.begin();
             if (v == 4)
               continue;
-            const Laminate &laminate = mesh.strips[cell.strip].at_lines[v & 1];
+            const Laminate &laminate = *mesh.strips[cell.strip].at_vertices[v];
             const StrainsOfPlies E =
               equations.internal_forces().strains_at_vertices(state, c)[v];
 

@@ -113,7 +113,7 @@ namespace Biface
             for (unsigned int v = 0; v < 4; ++v)
               {
                 const Node     &node     = mesh.nodes[cell.nodes[v]];
-                const Laminate &laminate = strip.at_lines[v & 1];
+                const Laminate &laminate = *strip.at_vertices[v];
                 const Ply      &ply      = laminate.get_plies()[p];
 
                 std::array<Point<3>, 2>     x;

@@ -94,7 +94,6 @@ namespace Biface
   {
     const ShellMesh   &mesh    = equations.mesh;
     const unsigned int of_cell = mesh.wall_of(layer);
-    const unsigned int line    = vertex & 1;
     const auto [first, end]    = mesh.layers_of(of_cell);
     // the plies of a wall are asked for one after the other
     if (wall != of_cell)
@@ -107,7 +106,7 @@ namespace Biface
       }
 
     const auto laminate = [&](const unsigned int c) -> const Laminate & {
-      return mesh.strips[mesh.cells[c].strip].at_lines[line];
+      return *mesh.strips[mesh.cells[c].strip].at_vertices[vertex];
     };
     for (unsigned int c = first; c < end; ++c)
       if (laminate(c).ply_points())
@@ -120,14 +119,13 @@ namespace Biface
       return laminate(layer).interlaminar_stress(strains[0][vertex].E, ply, z);
 
     // equilibrium is that of the whole wall, from face to face, whatever the
-    // strains of a layer are; its coefficients are the same all along a line
+    // strains of a layer are; its coefficients belong to the plies at the place
     std::vector<Tensor<1, 2>> shear_forces;
     for (unsigned int c = first; c < end; ++c)
       shear_forces.push_back(
         laminate(c).shear_force(strains[c - first][vertex].E));
-    const std::pair<unsigned int, unsigned int> key(mesh.cells[of_cell].strip,
-                                                    line);
-    auto                                        known = of_walls.find(key);
+    const Laminate *const key   = &laminate(first);
+    auto                  known = of_walls.find(key);
     if (known == of_walls.end())
       {
         std::vector<TransverseShear> layers;

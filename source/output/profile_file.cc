@@ -92,7 +92,7 @@ namespace Biface
             if (node.alpha[1] == line)
               function(cell.layer,
                        node,
-                       mesh.strips[cell.strip].at_lines[v & 1],
+                       *mesh.strips[cell.strip].at_vertices[v],
                        E[v]);
           }
       }
@@ -200,7 +200,7 @@ namespace Biface
         const unsigned int i = node.grid_index[0] + side;
         if (i == 0 || i > mesh.n_strips())
           continue;
-        const Laminate &laminate = mesh.strips[i - 1].at_lines[1 - side];
+        const Laminate &laminate = *mesh.strips[i - 1].at_vertices[1 - side];
         const double    bottom   = laminate.face_heights()[0];
         double          low = laminate.thickness(), high = 0, height = 0;
         for (const Ply &ply : laminate.get_plies())

@@ -123,7 +123,7 @@ namespace Biface
                 for (unsigned int i = 0; i < 3; ++i)
                   patch.data(d++, v) = friction[i];
                 for (const double stress :
-                     FaceStress(mesh.strips[cell.strip].at_lines[v & 1],
+                     FaceStress(*mesh.strips[cell.strip].at_vertices[v],
                                 static_cast<Face>(face),
                                 E[v])
                        .values())

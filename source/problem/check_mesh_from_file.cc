@@ -78,20 +78,15 @@ namespace Biface
       throw InputError("Laminate/Integrals",
                        "shell",
                        "it must be 'plate'" + why + " or curvatures");
-    const auto check_constant = [&why](const std::string &entry,
-                                       const Formula     &formula) {
-      if (!formula.used_names().empty())
-        throw InputError(
-          entry, formula.get_text(), "it must be constant" + why);
-    };
     for (const PlyParameters &ply : laminate.plies)
-      {
-        check_constant("Laminate/Plies", ply.thickness);
-        check_constant("Laminate/Plies", ply.angle);
-      }
-    for (const auto &ply : laminate.initial_stresses)
-      for (const Formula &stress : ply)
-        check_constant("Laminate/Initial ply stresses", stress);
+      if (ply.range)
+        throw InputError("Laminate/Plies",
+                         ply.text,
+                         "a ply cannot go from one coordinate to another" +
+                           why + "; use 'in GROUP'");
+    if (!laminate.tables.empty())
+      throw InputError("the entry 'Laminate/Tables' must be empty" + why +
+                       " by which tables go.");
     if (!laminate.initial_resultants.empty())
       throw InputError("the entry 'Laminate/Initial resultants' must be empty" +
                        why + ".");

@@ -208,12 +208,15 @@ namespace Biface
       }
     const bool revolution =
       surface.type == ReferenceSurface::Parameters::Type::revolution;
-    laminate.check(
-      materials,
-      {revolution,
-       revolution &&
-         surface.meridian ==
-           ReferenceSurface::Parameters::MeridianType::cord_equilibrium});
+    PlyVariables variables;
+    variables.radius = revolution;
+    variables.crown_cord_angle =
+      revolution &&
+      surface.meridian ==
+        ReferenceSurface::Parameters::MeridianType::cord_equilibrium;
+    variables.position =
+      (surface.type == ReferenceSurface::Parameters::Type::mesh);
+    laminate.check(materials, variables);
     surface.imperfection.check(revolution);
     check_formulation();
     // what parts demand of each other, once each of them is valid

@@ -19,30 +19,34 @@ namespace Biface
   class EntryDeclarations;
   struct MaterialParameters;
 
-  /** A ply of a layup, whose thickness and angle depend on @f$\alpha_1@f$. */
+  /** A ply of a layup, whose thickness and angle depend on the place. */
   struct PlyDescription
   {
     /** The text of the user from which the ply comes. */
     std::string text;
     PlyMaterial material;
-    /** The thickness (length) and the angle (radians) as functions of
-     * @f$\alpha_1@f$ in the user's unit. */
-    std::function<double(const double)> thickness, angle;
-    /** The distance of the cords as a function of @f$\alpha_1@f$; empty if they
-     * are not described. Unit: length. */
-    std::function<double(const double)> cord_pitch;
-    /** The laws as a function of @f$\alpha_1@f$ and of the initial stress in
-     * the axes of the ply. */
-    std::function<PlyLaws(const double, const dealii::SymmetricTensor<2, 3> &)>
+    /** The thickness (length) and the angle (radians) as functions of the
+     * place. */
+    std::function<double(const PlyPlace &)> thickness, angle;
+    /** The distance of the cords as a function of the place; empty if they are
+     * not described. Unit: length. */
+    std::function<double(const PlyPlace &)> cord_pitch;
+    /** The laws as a function of the place and of the initial stress in the
+     * axes of the ply. */
+    std::function<PlyLaws(const PlyPlace &,
+                          const dealii::SymmetricTensor<2, 3> &)>
       laws;
+    /** Whether thickness, angle or initial stress are formulas of the place. */
+    bool varies = false;
     /** The part of the meridian that the ply covers, in the user's unit;
      * infinite without bounds. */
     double begin, end;
     /** The group of cells that the ply covers; empty if it covers all. */
     std::string group;
-    /** The initial stress in the axes of the ply as a function of
-     * @f$\alpha_1@f$; empty for none. Unit: force/area. */
-    std::function<dealii::SymmetricTensor<2, 3>(const double)> initial_stress;
+    /** The initial stress in the axes of the ply as a function of the place;
+     * empty for none. Unit: force/area. */
+    std::function<dealii::SymmetricTensor<2, 3>(const PlyPlace &)>
+      initial_stress;
   };
 
 
@@ -134,28 +138,32 @@ namespace Biface
           const SurfaceOfPlies                  &surface = SurfaceOfPlies());
 
     /**
-     * The plies that cover @p within, with their thickness and angle at
-     * @p alpha_1, both in the user's unit of the coordinate. At the end of a
-     * ply, @p within selects the side.
+     * The plies that cover @p within, in the user's unit of the coordinate,
+     * with their thickness and angle at @p place. At the end of a ply,
+     * @p within selects the side; it has no meaning on a mesh from a file.
      *
      * Throws InputError if a thickness is not positive or no ply covers the
      * position.
      */
     Laminate
-    laminate(const double alpha_1, const double within) const;
+    laminate(const PlyPlace &place, const double within) const;
 
-    /** The laminate at a position at which no ply ends, see laminate(alpha_1,
+    /** The laminate at a position at which no ply ends, see laminate(place,
      * within). */
     Laminate
-    laminate(const double alpha_1) const
+    laminate(const PlyPlace &place) const
     {
-      return laminate(alpha_1, alpha_1);
+      return laminate(place, place.alpha_1);
     }
 
     /** The parts of the laminate at a position in the layers of the wall, inner
      * layer first; empty where no ply of a layer covers the position. */
     std::vector<std::optional<Laminate>>
-    layers(const double alpha_1, const double within) const;
+    layers(const PlyPlace &place, const double within) const;
+
+    /** Whether any ply depends on the place. */
+    bool
+    varies() const;
 
     /** The groups of cells that plies cover; with an empty name if any covers
      * all. */
@@ -222,7 +230,7 @@ namespace Biface
 
     /** The plies that cover @p within. */
     std::vector<Ply>
-    plies_at(const double alpha_1, const double within) const;
+    plies_at(const PlyPlace &place, const double within) const;
 
     std::vector<PlyDescription> plies;
     /** The sides of the layers as numbers of plies below them, see

@@ -36,7 +36,8 @@ namespace Biface
   /** Read a formula of a ply, whose variables are not known yet: `alpha_1`, on
    * a surface of revolution its `end` and the radius `r`, the `beta_c` of a
    * surface that has a SurfaceOfPlies::crown_cord_angle, tables, and the
-   * function lift(). Throws InputError like Formula. */
+   * function lift(); on a mesh from a file the position `x`, `y`, `z`. Throws
+   * InputError like Formula. */
   Formula
   parse_ply_formula(const std::string &entry, const std::string &text);
 
@@ -48,6 +49,11 @@ namespace Biface
     bool radius = false;
     /** Whether the surface has a crown cord angle. */
     bool crown_cord_angle = false;
+    /** Whether the surface has positions in place of coordinates. */
+    bool position = false;
+
+    PlyVariables() = default;
+    explicit PlyVariables(const SurfaceOfPlies &surface);
 
     /** Let a formula know these variables and the tables. Throws InputError,
      * see Formula::bind(). */
@@ -70,10 +76,10 @@ namespace Biface
                      const AngleReference          angle_reference);
 
     /**
-     * The formula of a ply, see parse_ply_formula(), as a function of
-     * @f$\alpha_1@f$. It does not need the tables any longer.
+     * The formula of a ply, see parse_ply_formula(), as a function of the
+     * place. It does not need the tables any longer.
      */
-    std::function<double(const double)>
+    std::function<double(const PlyPlace &)>
     function(Formula formula) const;
 
   private:

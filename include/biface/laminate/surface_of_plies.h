@@ -3,6 +3,8 @@
 #ifndef biface_laminate_surface_of_plies_h
 #define biface_laminate_surface_of_plies_h
 
+#include <deal.II/base/point.h>
+
 #include <array>
 #include <functional>
 #include <limits>
@@ -12,6 +14,27 @@
 
 namespace Biface
 {
+  /** A place on the surface, as formulas of plies know it. */
+  struct PlyPlace
+  {
+    /** A place on a surface with coordinates.
+     * @param alpha_1 in the unit of parameter files. */
+    PlyPlace(const double alpha_1) : alpha_1(alpha_1)
+    {}
+
+    /** A place on a mesh from a file. Unit: length. */
+    PlyPlace(const dealii::Point<3> &position) : position(position)
+    {}
+
+    /** What messages call it: 'alpha_1 = ...' or the position. */
+    std::string
+    in_words() const;
+
+    double                          alpha_1 = 0;
+    std::optional<dealii::Point<3>> position;
+  };
+
+
   /** The surface as plies know it, by functions of @f$\alpha_1@f$, which is in
    * the unit of parameter files. */
   struct SurfaceOfPlies

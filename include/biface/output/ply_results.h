@@ -142,9 +142,9 @@ namespace Biface
     const ShellEquations &equations;
     const State          &state;
 
-    /** The distributions of shear over walls of several layers, by strip of
-     * cells and mesh line. */
-    std::map<std::pair<unsigned int, unsigned int>, InterlaminarShear> of_walls;
+    /** The distributions of shear over walls of several layers, by the
+     * innermost layer at a place, see Strip::at_vertices. */
+    std::map<const Laminate *, InterlaminarShear> of_walls;
 
     /** The wall whose strains are at hand, and the strains of its layers at
      * their vertices. */

@@ -310,7 +310,7 @@ namespace Biface
   double
   Cavity::height(const Cell &cell, const unsigned int vertex) const
   {
-    return mesh.strips[cell.strip].at_lines[vertex & 1].face_heights()[face];
+    return mesh.strips[cell.strip].at_vertices[vertex]->face_heights()[face];
   }
 
 

@@ -288,8 +288,8 @@ namespace Biface
             {
               const Node     &node = mesh.nodes[segment.nodes[k]];
               const Laminate &laminate =
-                mesh.strips[mesh.cells[segment.cell].strip]
-                  .at_lines[segment.vertices[k] % 2];
+                *mesh.strips[mesh.cells[segment.cell].strip]
+                   .at_vertices[segment.vertices[k]];
               const std::array<double, 2> heights   = laminate.face_heights();
               const double                thickness = heights[1] - heights[0];
 

@@ -77,7 +77,7 @@ namespace Biface
         {
           const Cell     &layer = mesh.cells[c];
           const Laminate &laminate =
-            mesh.strips[layer.strip].at_lines[vertex % 2];
+            *mesh.strips[layer.strip].at_vertices[vertex];
           parts.push_back({&layer,
                            laminate.face_heights(),
                            stiffness_across(segment, layer, laminate)});

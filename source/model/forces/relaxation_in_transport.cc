@@ -116,13 +116,15 @@ namespace Biface
     const ShellMesh &mesh, const std::vector<NonlinearPlies> &plies)
     : mesh(mesh), plies(plies), own_cells(mesh.strips.size())
   {
+    for (const unsigned int c : mesh.layers)
+      own_cells[mesh.cells[c].strip].push_back(c);
+    // without lines there is no transport, and strips may be of one rank
+    if (!mesh.grid.has_lines())
+      return;
     columns.resize(mesh.strips.size());
     for (const unsigned int c : mesh.layers)
-      {
-        own_cells[mesh.cells[c].strip].push_back(c);
-        columns[mesh.cells[c].strip] =
-          mesh.grid.cell_index(mesh.cells[c].column)[0];
-      }
+      columns[mesh.cells[c].strip] =
+        mesh.grid.cell_index(mesh.cells[c].column)[0];
     Utilities::MPI::max(columns, mesh.communicator, columns);
   }
 

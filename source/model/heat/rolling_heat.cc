@@ -120,9 +120,9 @@ namespace Biface
         // the mean of the plies on both sides of the line
         std::vector<const Laminate *> sides;
         if (i > 0)
-          sides.push_back(&mesh.strips[i - 1].at_lines[1]);
+          sides.push_back(mesh.strips[i - 1].at_vertices[1].get());
         if (i < n_strips)
-          sides.push_back(&mesh.strips[i].at_lines[0]);
+          sides.push_back(mesh.strips[i].at_vertices[0].get());
         double              height = 0;
         std::vector<double> thickness(plies.size());
         for (const Laminate *side : sides)

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 
-#include <biface/laminate/laminate.h>
+#include <biface/laminate/layup.h>
 #include <biface/model/mesh/faces_of_layers.h>
+#include <biface/model/mesh/strip.h>
 
 namespace Biface
 {
@@ -26,6 +27,76 @@ namespace Biface
         k >= last ? wall[1]
                   : heights.back() + (layers[k] ? layers[k]->thickness() : 0.));
     return heights;
+  }
+
+
+  WallAtPlace::WallAtPlace(const Layup    &layup,
+                           const PlyPlace &place,
+                           const double    within)
+    : wall(layup.laminate(place, within))
+    , layers(layup.layers(place, within))
+    , heights(heights_of_faces(wall.face_heights(), layers))
+  {}
+
+
+  namespace
+  {
+    /** The laminates of a member of the walls at the vertices. */
+    template <typename Member>
+    std::array<std::shared_ptr<const Laminate>, 4>
+    at_vertices(const WallsAtVertices &walls, const Member &member)
+    {
+      std::array<std::shared_ptr<const Laminate>, 4> result;
+      for (unsigned int v = 0; v < 4; ++v)
+        // of the same wall, which lives as long as any part of it
+        result[v] = {walls[v], &member(*walls[v])};
+      return result;
+    }
+  } // namespace
+
+
+  Strip
+  strip_of_wall(const WallAtPlace &inside, const WallsAtVertices &walls)
+  {
+    return {inside.wall,
+            at_vertices(walls, [](const WallAtPlace &at) -> const Laminate & {
+              return at.wall;
+            })};
+  }
+
+
+  std::vector<unsigned int>
+  append_layers(const unsigned int     wall,
+                const WallAtPlace     &inside,
+                const WallsAtVertices &walls,
+                std::vector<Strip>    &strips)
+  {
+    if (inside.layers.size() == 1)
+      return {wall};
+    std::vector<unsigned int> positions;
+    for (unsigned int k = 0; k < inside.layers.size(); ++k)
+      if (inside.layers[k])
+        {
+          positions.push_back(strips.size());
+          strips.push_back(
+            {*inside.layers[k],
+             at_vertices(walls, [k](const WallAtPlace &at) -> const Laminate & {
+               return *at.layers[k];
+             })});
+        }
+      else
+        // a layer has no elements where its plies have ended
+        positions.push_back(numbers::invalid_unsigned_int);
+    return positions;
+  }
+
+
+  unsigned int
+  n_elements_of(const std::vector<unsigned int> &layers)
+  {
+    return (layers.size() > 1 ? 1 : 0) + layers.size() -
+           std::count(
+             layers.begin(), layers.end(), numbers::invalid_unsigned_int);
   }
 
 

@@ -17,8 +17,8 @@
 #include <biface/element/quadrilateral_geometry.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/laminate/layup.h>
-#include <biface/model/mesh/faces_of_layers.h>
 #include <biface/model/mesh/parallel_triangulation.h>
+#include <biface/model/mesh/plies_of_cells.h>
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/model/mesh/supports.h>
@@ -163,28 +163,31 @@ namespace Biface
     }
 
 
-    /** Throw InputError if a face is turned inside out in any cell.
-     * @param heights those of the inner and the outer face in a cell. */
+    /** Throw InputError if a face is turned inside out in any cell. */
     void
-    check_faces(
-      const QuadrilateralMesh                                        &mesh,
-      const std::vector<Tensor<1, 3>>                                &normals,
-      const std::function<std::array<double, 2>(const unsigned int)> &heights)
+    check_faces(const QuadrilateralMesh         &mesh,
+                const std::vector<Tensor<1, 3>> &normals,
+                const PliesOfCells              &plies)
     {
       for (unsigned int c = 0; c < mesh.cells.size(); ++c)
-        for (const double height : heights(c))
+        for (const bool outer : {false, true})
           {
+            std::array<double, 4>       heights;
             std::array<Tensor<1, 3>, 4> x;
             for (unsigned int v = 0; v < 4; ++v)
-              x[v] = mesh.nodes[mesh.cells[c][v]] +
-                     height * normals[mesh.cells[c][v]];
+              {
+                const std::vector<double> &all = plies.heights(c, v);
+                heights[v]                     = outer ? all.back() : all[0];
+                x[v]                           = mesh.nodes[mesh.cells[c][v]] +
+                       heights[v] * normals[mesh.cells[c][v]];
+              }
             for (unsigned int v = 0; v < 4; ++v)
               if (!(cross_product_3d(x[v | 1] - x[v & 2], x[v | 2] - x[v & 1]) *
                       normals[mesh.cells[c][v]] >
                     0))
                 throw InputError(
                   "the entry 'Laminate/Plies' places a face at " +
-                  number_to_string(height) +
+                  number_to_string(heights[v]) +
                   " from the reference surface, but there " +
                   mesh.cell_in_words(c) +
                   " is turned inside out: the surface is curved too sharply.");
@@ -202,171 +205,6 @@ namespace Biface
 
     using Side = QuadrilateralMesh::Side;
   } // namespace
-
-
-  class ShellMesh::StripsOfGroups
-  {
-  public:
-    /** @param groups the sets of groups of cells, see find_groups(). */
-    StripsOfGroups(const Layup                              &layup,
-                   const std::vector<std::set<std::string>> &groups);
-
-    /** The strips of the wall by the sets, followed by those of single layers
-     * if there are several. */
-    std::vector<Strip> strips;
-
-    /** `[s][k]` is the position in @p strips of the layer k in the set s; an
-     * invalid number if it does not exist there. */
-    std::vector<std::vector<unsigned int>> layers;
-
-    /** The heights of all faces by the sets, inner face first. */
-    std::vector<std::vector<double>> heights;
-
-    /** The number of elements of a column: the wall and, if there are several,
-     * its layers. */
-    unsigned int
-    n_elements(const unsigned int set) const
-    {
-      return layers[set].size() == 1
-               ? 1
-               : 1 + layers[set].size() -
-                   std::count(layers[set].begin(),
-                              layers[set].end(),
-                              numbers::invalid_unsigned_int);
-    }
-
-    /** The heights of all faces at a node: the means of the cells around it.
-     * @param around the sets of these cells. */
-    std::vector<double>
-    mean_heights(const std::vector<unsigned int> &around) const;
-
-    /** The stiffest_layer() at a node of those that exist in all cells around
-     * it; an invalid number if there is none.
-     * @param around the sets of these cells. */
-    unsigned int
-    stiffest(const std::vector<unsigned int> &around) const;
-  };
-
-
-  ShellMesh::StripsOfGroups::StripsOfGroups(
-    const Layup &layup, const std::vector<std::set<std::string>> &groups)
-  {
-    for (const PlyDescription &ply : layup.get_plies())
-      {
-        if (!(ply.thickness(0) > 0))
-          throw InputError(
-            "Laminate/Plies", ply.text, "a thickness must be positive");
-        // a formula or a table of a coordinate would not have one value
-        for (const double alpha_1 : {-0.37, 0.61, 29.})
-          if (ply.thickness(alpha_1) != ply.thickness(0) ||
-              ply.angle(alpha_1) != ply.angle(0) || std::isfinite(ply.begin) ||
-              std::isfinite(ply.end))
-            throw InputError("Laminate/Plies",
-                             ply.text,
-                             "thickness and angle must be constant on a mesh "
-                             "from a file, which has no coordinates, and a ply "
-                             "ends by 'in GROUP'");
-      }
-    std::vector<Layup> of_sets;
-    for (const std::set<std::string> &set : groups)
-      {
-        of_sets.push_back(layup.in_groups(set));
-        const Laminate laminate = of_sets.back().laminate(0);
-        strips.push_back({laminate, {{laminate, laminate}}});
-      }
-    for (unsigned int s = 0; s < groups.size(); ++s)
-      {
-        const std::array<double, 2> wall = strips[s].laminate.face_heights();
-        if (layup.n_layers() == 1)
-          {
-            layers.push_back({s});
-            heights.push_back({wall[0], wall[1]});
-            continue;
-          }
-        const auto of_set = of_sets[s].layers(0, 0);
-        layers.emplace_back();
-        for (const std::optional<Laminate> &layer : of_set)
-          if (layer)
-            {
-              layers[s].push_back(strips.size());
-              strips.push_back({*layer, {{*layer, *layer}}});
-            }
-          else
-            layers[s].push_back(numbers::invalid_unsigned_int);
-        heights.push_back(heights_of_faces(wall, of_set));
-      }
-  }
-
-
-  std::vector<double>
-  ShellMesh::StripsOfGroups::mean_heights(
-    const std::vector<unsigned int> &around) const
-  {
-    const std::vector<double> &first = heights[around[0]];
-    // without round-off where all cells have the same heights
-    if (std::all_of(around.begin(), around.end(), [&](const unsigned int s) {
-          return heights[s] == first;
-        }))
-      return first;
-    std::vector<double> mean(first.size());
-    for (const unsigned int s : around)
-      for (unsigned int k = 0; k < mean.size(); ++k)
-        mean[k] += heights[s][k] / around.size();
-    return mean;
-  }
-
-
-  unsigned int
-  ShellMesh::StripsOfGroups::stiffest(
-    const std::vector<unsigned int> &around) const
-  {
-    std::vector<double> stiffness(layers[0].size(), 0.);
-    for (unsigned int k = 0; k < stiffness.size(); ++k)
-      if (std::all_of(around.begin(), around.end(), [&](const unsigned int s) {
-            return layers[s][k] != numbers::invalid_unsigned_int;
-          }))
-        for (const unsigned int s : around)
-          stiffness[k] += strips[layers[s][k]].laminate.membrane_stiffness();
-    return stiffest_layer(stiffness);
-  }
-
-
-  std::vector<Strip>
-  ShellMesh::strips_of_groups(const Layup                              &layup,
-                              const std::vector<std::set<std::string>> &groups)
-  {
-    return StripsOfGroups(layup, groups).strips;
-  }
-
-
-  std::vector<std::set<std::string>>
-  ShellMesh::find_groups(const Layup               &layup,
-                         const QuadrilateralMesh   &mesh,
-                         std::vector<unsigned int> &of_cells)
-  {
-    const std::set<std::string>        names = layup.groups();
-    std::vector<std::set<std::string>> of_each(mesh.cells.size());
-    for (const QuadrilateralMesh::Group &group : mesh.groups)
-      if (names.count(group.name) > 0)
-        for (const unsigned int c : group.cells)
-          of_each[c].insert(group.name);
-
-    std::map<std::set<std::string>, unsigned int> position;
-    std::vector<std::set<std::string>>            result;
-    of_cells.clear();
-    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
-      {
-        const auto found = position.emplace(of_each[c], result.size());
-        of_cells.push_back(found.first->second);
-        if (!found.second)
-          continue;
-        result.push_back(of_each[c]);
-        if (names.count("") == 0 && of_each[c].empty())
-          throw InputError("no ply of the entry 'Laminate/Plies' covers " +
-                           mesh.cell_in_words(c) + ".");
-      }
-    return result;
-  }
 
 
   void
@@ -441,14 +279,9 @@ namespace Biface
     , normal_thickness(layup.n_layers() > 1)
   {
     set_layup(layup);
-    const QuadrilateralMesh  &mesh = *file.mesh;
-    std::vector<unsigned int> set_of_cells;
-    groups_of_strips = find_groups(*this->layup, mesh, set_of_cells);
-    n_walls          = groups_of_strips.size();
-    const StripsOfGroups plies(*this->layup, groups_of_strips);
-    strips = plies.strips;
-    for (unsigned int s = 0; s < n_walls; ++s)
-      max_thickness = std::max(max_thickness, strips[s].laminate.thickness());
+    const QuadrilateralMesh &mesh = *file.mesh;
+    const PliesOfCells       plies(*this->layup, mesh);
+    max_thickness = plies.thickness();
 
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
     triangulation              = make_parallel_triangulation(
@@ -464,7 +297,27 @@ namespace Biface
       },
       nullptr);
     distribute_dofs();
-    collect_from_file(file, supports, plies, set_of_cells);
+
+    // the cells of this rank, and those across its folds
+    std::set<unsigned int> cells_of_rank;
+    for (const auto &cell : dof_handler->active_cell_iterators())
+      if (cell->is_locally_owned())
+        cells_of_rank.insert(cell->id().get_coarse_cell_id());
+    std::set<unsigned int> with_strips = cells_of_rank;
+    for (const QuadrilateralMesh::Fold &fold : mesh.folds)
+      if (cells_of_rank.count(fold.cells[0].cell) > 0)
+        for (const QuadrilateralMesh::CellSide &at : fold.cells)
+          with_strips.insert(at.cell);
+    // the law of plies is asked for also on a rank without cells
+    if (with_strips.empty())
+      with_strips.insert(0);
+    std::map<unsigned int, unsigned int>   strip_of_cell;
+    std::vector<std::vector<unsigned int>> layers_of_strips;
+    places_of_strips = std::make_shared<const PlacesOfStrips>(
+      plies.places(with_strips, strip_of_cell));
+    strips  = places_of_strips->make_strips(*this->layup, layers_of_strips);
+    n_walls = places_of_strips->places.size();
+    collect_from_file(file, supports, plies, strip_of_cell, layers_of_strips);
     complete(supports, mesh.nodes);
   }
 
@@ -497,10 +350,12 @@ namespace Biface
 
 
   void
-  ShellMesh::collect_from_file(const MeshFile                  &file,
-                               const Supports                  &supports,
-                               const StripsOfGroups            &plies,
-                               const std::vector<unsigned int> &set_of_cells)
+  ShellMesh::collect_from_file(
+    const MeshFile                               &file,
+    const Supports                               &supports,
+    const PliesOfCells                           &plies,
+    const std::map<unsigned int, unsigned int>   &strip_of_cell,
+    const std::vector<std::vector<unsigned int>> &layers_of_strips)
   {
     const QuadrilateralMesh &mesh = *file.mesh;
 
@@ -523,21 +378,15 @@ namespace Biface
         " thick, but the whole mesh is only " + number_to_string(size()) +
         " large: it must be in the same unit of length.");
     check_directions(file, *layup);
-    check_faces(mesh, normals, [&](const unsigned int c) {
-      return strips[set_of_cells[c]].laminate.face_heights();
-    });
-    std::vector<std::vector<unsigned int>> sets_around(mesh.nodes.size());
-    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
-      for (const unsigned int n : mesh.cells[c])
-        sets_around[n].push_back(set_of_cells[c]);
+    check_faces(mesh, normals, plies);
     // elements are numbered without gaps
     std::vector<types::global_cell_index> first_of_cells{0};
-    for (const unsigned int set : set_of_cells)
-      first_of_cells.push_back(first_of_cells.back() + plies.n_elements(set));
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      first_of_cells.push_back(first_of_cells.back() + plies.n_elements(c));
     std::vector<unsigned int> stiffest;
     for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
       {
-        stiffest.push_back(plies.stiffest(sets_around[n]));
+        stiffest.push_back(plies.stiffest(n));
         if (stiffest.back() == numbers::invalid_unsigned_int)
           throw InputError(
             "the entry 'Laminate/Layers' has no layer with plies in all cells "
@@ -581,9 +430,8 @@ namespace Biface
       node.surface.lame      = {{1, 1}};
       node.surface.curvature = {{0, 0}};
       node.surface.geodesic  = {{0, 0}};
-      const std::vector<double> heights =
-        plies.mean_heights(sets_around[number]);
-      node.face_heights = {{heights.front(), heights.back()}};
+      const std::vector<double> heights = plies.mean_heights(number);
+      node.face_heights                 = {{heights.front(), heights.back()}};
       for (unsigned int k = 0; k < n_layers(); ++k)
         node.half_thickness.push_back((heights[k + 1] - heights[k]) / 2);
       node.locally_owned = false;
@@ -665,16 +513,16 @@ namespace Biface
         QuadrilateralPoints points;
         for (unsigned int v = 0; v < 4; ++v)
           points.vertices[v] = nodes[cell_nodes[v]].surface;
-        points.direction       = frame_of_cell(file, normals, number)[0];
-        const unsigned int set = set_of_cells[number];
-        points.wall_thickness  = strips[set].laminate.thickness();
-
+        points.direction = frame_of_cell(file, normals, number)[0];
         Column column;
-        column.wall   = set;
-        column.layers = plies.layers[set];
-        column.heights.fill(plies.heights[set]);
+        column.wall           = strip_of_cell.at(number);
+        column.layers         = layers_of_strips[column.wall];
+        points.wall_thickness = strips[column.wall].laminate.thickness();
         for (unsigned int v = 0; v < 4; ++v)
-          column.stiffest[v] = stiffest[mesh.cells[number][v]];
+          {
+            column.heights[v]  = plies.heights(number, v);
+            column.stiffest[v] = stiffest[mesh.cells[number][v]];
+          }
         add_elements(cell_nodes,
                      number,
                      first_of_cells[number],
@@ -713,7 +561,7 @@ namespace Biface
             for (unsigned int end = 0; end < 2; ++end)
               part.nodes[end] =
                 node_of_number.at(own[part.is_reversed ? 1 - end : end]);
-            part.strip       = set_of_cells[at.cell];
+            part.strip       = strip_of_cell.at(at.cell);
             const auto frame = frame_of_cell(file, normals, at.cell);
             part.across = Tensor<1, 2>({along * frame[1], -(along * frame[0])});
             part.across /= part.across.norm();

@@ -20,6 +20,7 @@
 #include <biface/laminate/layup.h>
 #include <biface/model/mesh/faces_of_layers.h>
 #include <biface/model/mesh/parallel_triangulation.h>
+#include <biface/model/mesh/plies_of_cells.h>
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/model/mesh/support_motions.h>
@@ -245,53 +246,30 @@ namespace Biface
   {
     const std::vector<double> lines = lines_of_plies(layup, surface, grid);
     const unsigned int        n     = lines.size() - 1;
+    struct Walls
+    {
+      WallAtPlace     inside;
+      WallsAtVertices at_vertices;
+    };
+    std::vector<Walls> walls;
     for (unsigned int i = 0; i < n; ++i)
       {
         const double middle = (lines[i] + lines[i + 1]) / 2;
-        strips.push_back({layup.laminate(middle),
-                          {{layup.laminate(lines[i], middle),
-                            layup.laminate(lines[i + 1], middle)}}});
+        walls.push_back({WallAtPlace(layup, middle, middle), {}});
+        const auto at = [&](const double line) {
+          return std::make_shared<const WallAtPlace>(layup, line, middle);
+        };
+        const auto low = at(lines[i]), high = at(lines[i + 1]);
+        walls[i].at_vertices = {{low, high, low, high}};
+        strips.push_back(strip_of_wall(walls[i].inside, walls[i].at_vertices));
+        of_strips.push_back({{low->heights, high->heights}});
       }
-
     for (unsigned int i = 0; i < n; ++i)
       {
-        of_strips.emplace_back();
-        layers.emplace_back();
-        if (layup.n_layers() == 1)
-          {
-            layers[i] = {i};
-            for (unsigned int side = 0; side < 2; ++side)
-              {
-                const auto heights = strips[i].at_lines[side].face_heights();
-                of_strips[i][side] = {heights[0], heights[1]};
-              }
-            continue;
-          }
-
-        const double middle = (lines[i] + lines[i + 1]) / 2;
-        auto         inside = layup.layers(middle, middle);
-        std::array<std::vector<std::optional<Laminate>>, 2> at_lines{
-          {layup.layers(lines[i], middle), layup.layers(lines[i + 1], middle)}};
-        for (unsigned int k = 0; k < inside.size(); ++k)
-          if (inside[k])
-            {
-              layers[i].push_back(strips.size());
-              strips.push_back(
-                {*inside[k], {{*at_lines[0][k], *at_lines[1][k]}}});
-            }
-          else
-            // a layer has no elements where its plies have ended
-            layers[i].push_back(numbers::invalid_unsigned_int);
-        for (unsigned int side = 0; side < 2; ++side)
-          of_strips[i][side] = heights_of_faces(
-            strips[i].at_lines[side].face_heights(), at_lines[side]);
+        layers.push_back(
+          append_layers(i, walls[i].inside, walls[i].at_vertices, strips));
+        n_elements.push_back(n_elements.back() + n_elements_of(layers[i]));
       }
-
-    for (const auto &of_strip : layers)
-      n_elements.push_back(
-        n_elements.back() + (layup.n_layers() > 1 ? 1 : 0) + of_strip.size() -
-        std::count(
-          of_strip.begin(), of_strip.end(), numbers::invalid_unsigned_int));
 
     // where a ply ends, a node has the mean heights of both sides
     on_lines.push_back(of_strips.front()[0]);
@@ -410,6 +388,7 @@ namespace Biface
   ShellMesh::complete(const Supports              &supports,
                       const std::vector<Point<3>> &positions)
   {
+    set_wall_stiffness();
     locally_relevant.compress();
     for (Cell &cell : cells)
       for (const auto dof : cell.dofs)
@@ -618,19 +597,33 @@ namespace Biface
   {
     const std::shared_ptr<ShellMesh> result(new ShellMesh(*this));
     result->set_layup(other);
-    // the strips of a mesh follow from the groups
-    if (layup->groups() != other.groups())
+    if (grid.has_lines())
+      result->strips = Faces(*result->layup, *surface, grid).strips;
+    // the strips of a mesh follow from the groups, and from what varies
+    else if (layup->groups() != other.groups() ||
+             layup->varies() != other.varies())
       return nullptr;
-    result->strips = grid.has_lines()
-                       ? Faces(*result->layup, *surface, grid).strips
-                       : strips_of_groups(*result->layup, groups_of_strips);
-    if (strips.size() != result->strips.size())
+    bool differs = false;
+    if (!grid.has_lines())
+      try
+        {
+          std::vector<std::vector<unsigned int>> layers_of_strips;
+          result->strips =
+            places_of_strips->make_strips(*result->layup, layers_of_strips);
+        }
+      catch (const InputError &)
+        {
+          // perhaps on this rank alone: a new mesh checks all cells on all
+          differs = true;
+        }
+    differs = differs || strips.size() != result->strips.size();
+    for (unsigned int i = 0; i < strips.size() && !differs; ++i)
+      for (unsigned int v = 0; v < 4; ++v)
+        differs = differs || result->strips[i].at_vertices[v]->face_heights() !=
+                               strips[i].at_vertices[v]->face_heights();
+    if (Utilities::MPI::logical_or(differs, communicator))
       return nullptr;
-    for (unsigned int i = 0; i < strips.size(); ++i)
-      for (unsigned int line = 0; line < 2; ++line)
-        if (result->strips[i].at_lines[line].face_heights() !=
-            strips[i].at_lines[line].face_heights())
-          return nullptr;
+    result->set_wall_stiffness();
     return result;
   }
 
@@ -1046,42 +1039,27 @@ namespace Biface
   }
 
 
-  double
-  ShellMesh::membrane_stiffness_limit(const unsigned int strip) const
-  {
-    return 1000 * strips[strip].laminate.membrane_stiffness() /
-           (size() * size());
-  }
-
-
-  double
-  ShellMesh::wall_stiffness() const
+  void
+  ShellMesh::set_wall_stiffness()
   {
     // section 6 of doc/theory.md: what the softest place of the wall yields to
     // a pressure sets the scale of penetrations
-    double minimum = std::numeric_limits<double>::infinity();
-    for (unsigned int i = 0; i < n_strips(); ++i)
-      minimum = std::min({minimum,
-                          strips[i].laminate.thickness_stiffness(),
-                          membrane_stiffness_limit(i)});
-    return minimum;
-  }
-
-
-  double
-  ShellMesh::wall_stiffness_sideways() const
-  {
-    // where a membrane limits the stiffness, its part of that across the wall
-    // counts once more
-    double minimum = std::numeric_limits<double>::infinity();
+    std::array<double, 2> lowest;
+    lowest.fill(std::numeric_limits<double>::infinity());
     for (unsigned int i = 0; i < n_strips(); ++i)
       {
-        const double across = strips[i].laminate.thickness_stiffness(),
-                     limit  = membrane_stiffness_limit(i);
-        minimum =
-          std::min(minimum, limit < across ? limit * (limit / across) : across);
+        const Laminate &wall   = strips[i].laminate;
+        const double    across = wall.thickness_stiffness(),
+                     limit =
+                       1000 * wall.membrane_stiffness() / (size() * size());
+        lowest[0] = std::min({lowest[0], across, limit});
+        // where a membrane limits the stiffness, its part of that across the
+        // wall counts once more
+        lowest[1] = std::min(
+          lowest[1], limit < across ? limit * (limit / across) : across);
       }
-    return minimum;
+    lowest_stiffness          = Utilities::MPI::min(lowest[0], communicator);
+    lowest_stiffness_sideways = Utilities::MPI::min(lowest[1], communicator);
   }
 
 

@@ -35,6 +35,8 @@ namespace Biface
   class Layup;
   struct MeshFile;
   struct NamedPoint;
+  struct PlacesOfStrips;
+  class PliesOfCells;
   struct QuadrilateralMesh;
   class ReferenceSurface;
   struct Strip;
@@ -207,8 +209,9 @@ namespace Biface
     const bool normal_thickness;
 
     /** The strips of the whole wall between the lines of the first coordinate,
-     * in ascending order, followed by those of single layers if there are
-     * several. */
+     * in ascending order, or on a mesh from a file those of PlacesOfStrips,
+     * which may be of this rank alone; followed by those of single layers if
+     * there are several. */
     std::vector<Strip> strips;
 
     /** The elements, those on the same cell of the triangulation next to each
@@ -326,7 +329,10 @@ namespace Biface
      * Laminate::membrane_stiffness() over the square of size(). Unit:
      * pressure/length. */
     double
-    wall_stiffness() const;
+    wall_stiffness() const
+    {
+      return lowest_stiffness;
+    }
 
     /** The stiffness from which that of sticking follows: where
      * wall_stiffness() is limited, it is lower by the same part once more,
@@ -334,7 +340,10 @@ namespace Biface
      * cannot stick and others slip if they stick within far less than this.
      * Unit: pressure/length. */
     double
-    wall_stiffness_sideways() const;
+    wall_stiffness_sideways() const
+    {
+      return lowest_stiffness_sideways;
+    }
 
     /** Whether supports prescribe displacements, on any rank. */
     bool
@@ -442,10 +451,9 @@ namespace Biface
     cell_values(const LA::Vector &V, const Cell &cell) const;
 
   private:
-    /** The limit of the stiffness of a strip as thin as a membrane, see
-     * wall_stiffness(). Unit: pressure/length. */
-    double
-    membrane_stiffness_limit(const unsigned int strip) const;
+    /** Set wall_stiffness() and wall_stiffness_sideways(). */
+    void
+    set_wall_stiffness();
 
     /** A copy on the same triangulation. */
     ShellMesh(const ShellMesh &);
@@ -464,31 +472,17 @@ namespace Biface
     void
     check_components(const Supports &supports) const;
 
-    /** The strips of a mesh without lines, one for each of the sets of groups
-     * to which cells belong, and the heights of the faces. */
-    class StripsOfGroups;
-
-    /** The strips of a mesh without lines by sets of groups, followed by those
-     * of single layers. */
-    static std::vector<Strip>
-    strips_of_groups(const Layup                              &layup,
-                     const std::vector<std::set<std::string>> &groups);
-
-    /** The sets of those groups of cells that plies name, to which the cells of
-     * a mesh from a file belong. Throws InputError if no ply covers a cell.
-     * @param [out] of_cells the position of the set of each cell. */
-    static std::vector<std::set<std::string>>
-    find_groups(const Layup               &layup,
-                const QuadrilateralMesh   &mesh,
-                std::vector<unsigned int> &of_cells);
-
     /** Create cells, nodes and edges from a file.
-     * @param plies the strips of the cells, by @p set_of_cells. */
+     * @param strip_of_cell the positions in @p strips of the walls of the cells
+     * that this rank owns, and of those across its folds.
+     * @param layers_of_strips see PlacesOfStrips::make_strips(). */
     void
-    collect_from_file(const MeshFile                  &file,
-                      const Supports                  &supports,
-                      const StripsOfGroups            &plies,
-                      const std::vector<unsigned int> &set_of_cells);
+    collect_from_file(
+      const MeshFile                               &file,
+      const Supports                               &supports,
+      const PliesOfCells                           &plies,
+      const std::map<unsigned int, unsigned int>   &strip_of_cell,
+      const std::vector<std::vector<unsigned int>> &layers_of_strips);
 
     /** Add the nodes of other ranks at the joints of this one.
      * @param make_node makes a node with a number without its unknowns.
@@ -585,9 +579,10 @@ namespace Biface
     /** The number of strips of the whole wall. */
     unsigned int n_walls     = 1;
     unsigned int n_all_folds = 0;
-    /** The sets of groups of the strips of a mesh from a file, see
-     * find_groups(). */
-    std::vector<std::set<std::string>> groups_of_strips;
+    /** Where the strips are; null if there are lines. */
+    std::shared_ptr<const PlacesOfStrips> places_of_strips;
+    /** See wall_stiffness() and wall_stiffness_sideways(). */
+    double lowest_stiffness = 0, lowest_stiffness_sideways = 0;
     std::shared_ptr<const dealii::parallel::TriangulationBase<2, 3>>
                                                     triangulation;
     std::shared_ptr<const dealii::DoFHandler<2, 3>> dof_handler;
