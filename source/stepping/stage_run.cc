@@ -67,8 +67,8 @@ namespace Biface
     std::optional<Stage>
     before_in(const std::vector<Stage> &stages, const unsigned int position)
     {
-      const auto before = stage_before(stages, position);
-      if (!before || stages[position].from_prestress)
+      const auto before = continued_stage(stages, position);
+      if (!before)
         return {};
       return stages[*before];
     }
