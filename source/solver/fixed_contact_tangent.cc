@@ -13,6 +13,7 @@
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/equations/tangent_matrix.h>
+#include <biface/model/forces/nodal_forces.h>
 #include <biface/model/state/loads.h>
 #include <biface/model/state/placed_body.h>
 #include <biface/solver/fixed_contact_tangent.h>

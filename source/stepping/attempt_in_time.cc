@@ -13,6 +13,7 @@
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_over_step.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/forces/nodal_forces.h>
 #include <biface/model/mesh/supports.h>
 #include <biface/model/state/step_in_time.h>
 #include <biface/model/time/energy_of_motion.h>

@@ -12,6 +12,7 @@
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/equations/symmetry.h>
 #include <biface/model/forces/dependent_loads.h>
+#include <biface/model/forces/nodal_forces.h>
 #include <biface/model/state/loads.h>
 #include <biface/model/state/step_in_time.h>
 

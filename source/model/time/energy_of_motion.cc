@@ -10,6 +10,7 @@
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/mass_matrix.h>
 #include <biface/model/equations/shell_equations.h>
+#include <biface/model/forces/nodal_forces.h>
 #include <biface/model/state/step_in_time.h>
 #include <biface/model/time/energy_of_motion.h>
 #include <biface/model/time/inertia.h>

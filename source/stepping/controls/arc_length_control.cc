@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <biface/model/mesh/shell_mesh.h>
+#include <biface/model/state/state.h>
 #include <biface/stepping/controls/arc_length_control.h>
 
 namespace Biface
