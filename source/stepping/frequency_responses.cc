@@ -73,8 +73,10 @@ namespace Biface
       return;
     HarmonicResponse::Request request;
     request.frequencies = stage.frequencies;
-    request.losses      = {
-           stage.loss_factor, stage.damping_in_time, report.level.temperature};
+    request.losses      = {stage.loss_factor,
+                           stage.damping_in_time.of_mass,
+                           stage.damping_in_time.of_stiffness,
+                           report.level.temperature};
     for (const std::string &name : stage.excitations)
       request.excitations.push_back(
         excitation_of(name, stage, *report.loads, run.contact));

@@ -377,7 +377,7 @@ namespace Biface
         const Control::Trial first = control->propose(last_converged());
         const LoadLevel      after = first.level(first.mu);
         start_motion(equations,
-                     stage,
+                     stage.initial_velocity,
                      "Stage " + std::to_string(progress.stage + 1),
                      {loads_at(progress.reached),
                       loads_at(first.level({first.mu[0] - first.size / 2})),
