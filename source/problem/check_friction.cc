@@ -101,7 +101,8 @@ namespace Biface
   FrictionCoefficient
   Parameters::friction_in(const Stage &stage) const
   {
-    return stage.laws.friction.value_or(contact.friction.coefficient);
+    return stage.laws.friction ? *stage.laws.friction
+                               : contact.friction.coefficient;
   }
 
 

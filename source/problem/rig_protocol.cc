@@ -300,7 +300,7 @@ namespace Biface
           stages[base - 1].laws.tangential_stiffness;
         // friction of a standing wheel would leave tractions that rolling does
         // not know
-        now.laws.friction = FrictionCoefficient();
+        now.laws.friction = std::make_shared<const FrictionCoefficient>();
         now.n_steps       = std::max(6u, test.n_steps);
         now.start_from    = base;
         stages.push_back(now);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <biface/contact/contact_laws.h>
+#include <biface/contact/friction.h>
 #include <biface/laminate/layup.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
