@@ -87,6 +87,8 @@ namespace Biface
           const std::string section = "Stage " + std::to_string(i + 1);
           if (!stage.prescribes_force() || stage.travel.value_or(0) == 0)
             continue;
+          // a control from a later source, such as '--set', replaces the
+          // travel; in one file both are a mistake
           bool control_is_later = false;
           for (const Source &source : sources)
             if (sets(source, "Travel", section + "/"))

@@ -286,6 +286,7 @@ namespace Biface
             largest = std::max(largest, std::sqrt(square));
           }
     largest = Utilities::MPI::max(largest, mesh.communicator);
+    // one factor for both parts, between which it keeps the phase
     for (unsigned int i = 0; i < parts.size(); ++i)
       {
         owned[i] /= largest;

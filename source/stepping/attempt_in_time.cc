@@ -84,6 +84,7 @@ namespace Biface
       LA::Vector             correction = mesh.owned_vector();
       for (const PrescribedDisplacement &p : mesh.prescribed)
         if (mesh.locally_owned.is_element(p.dof))
+          // the rule of the step would end at 2 v_mean - v_0
           correction(p.dof) =
             (motion.at_end(p.dof) -
              (2 * motion.mean(p.dof) - run.state.velocity(p.dof))) /

@@ -46,6 +46,7 @@ namespace Biface
         {
           result.direction = motion->second;
           for (const ContactPair *pair : contact.present(loads))
+            // what stands on the ground moves with it
             if (motion->first == (pair->number == 0 ? "ground" : pair->name) ||
                 (motion->first == "ground" && pair->moving_body.is_on_ground()))
               result.bodies.insert(pair->number);

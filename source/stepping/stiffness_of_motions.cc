@@ -230,6 +230,7 @@ namespace Biface
         item.secant         = secant->second;
         item.doubt          = doubt_of_secant;
       }
+    // in the first step of a stage it starts where the secant does
     if (const auto tangent =
           stiffness(run,
                     last ? *last : first,

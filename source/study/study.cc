@@ -438,6 +438,7 @@ namespace Biface
     {
       std::ostringstream                screen;
       std::unique_ptr<const Simulation> simulation;
+      // errors name the file in which the user finds them
       try
         {
           simulation = std::make_unique<const Simulation>(

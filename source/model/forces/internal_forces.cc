@@ -85,6 +85,7 @@ namespace Biface
       resultants.push_back(cell.is_layer ? of_strips[cell.strip]
                                          : Modes::Vector());
 
+    // formulas vary within strips: they are added at the nodes
     const auto          &given = mesh.get_layup().get_initial_resultants();
     std::vector<Formula> formulas;
     for (const InitialResultant &resultant : given)

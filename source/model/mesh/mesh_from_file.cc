@@ -357,6 +357,7 @@ namespace Biface
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       {
         const auto found = position.emplace(of_each[c], result.size());
+        // cells in the same groups have the same plies, and share a strip
         of_cells.push_back(found.first->second);
         if (!found.second)
           continue;

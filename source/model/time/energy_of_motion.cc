@@ -76,6 +76,7 @@ namespace Biface
       if (node.locally_owned)
         for (unsigned int face = 0; face <= mesh.n_layers(); ++face)
           {
+            // by faces, whose positions are the lever arms
             const Tensor<1, 3> of_face = node.surface.from_frame(
               mesh.force_on_any_face(momentum, node, face));
             result.momentum += of_face;
