@@ -113,10 +113,11 @@ namespace Biface
                               parameters.sensitivities.outputs.size(),
                             written);
 
-      RigTable rig_table(parameters.tire_test.axes,
-                         parameters.stages,
-                         parameters.first_rig_point,
-                         results_directory);
+      RigTable rig_table(
+        parameters.tire_test.axes,
+        rig_targets(parameters.stages, parameters.first_rig_point),
+        parameters.first_rig_point,
+        results_directory);
 
       log.open(directory + "/run.log", checkpoint != nullptr);
       if (checkpoint != nullptr)
@@ -157,7 +158,7 @@ namespace Biface
           const unsigned int stage = report.instant.stage;
           if (rig_table.is_point(stage) && progress.at_end_of(stage))
             record.rig_points[stage] =
-              rig_point(parameters.stages[stage], report);
+              rig_point(rig_table.target(stage), report);
           rig_table.write(record.rig_points, progress.failed_stages);
           record.summary.add(
             report, state, equations.mesh, results.get_failure_maxima());

@@ -15,6 +15,7 @@
 #include <biface/base/errors.h>
 #include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/stepping/stage_loads.h>
 
 namespace Biface
 {

@@ -13,6 +13,7 @@
 #include <biface/base/errors.h>
 #include <biface/laminate/layup.h>
 #include <biface/model/contact/contact_pair.h>
+#include <biface/model/forces/nodal_forces.h>
 #include <biface/model/quantities/footprint.h>
 #include <biface/solver/buckling_analysis.h>
 #include <biface/solver/low_rank_stiffness.h>

@@ -378,6 +378,7 @@ namespace Biface
         case Shape::cone:
         case Shape::revolved:
           return centered;
+        // the others have no axis, or none that is known
         default:
           return false;
       }

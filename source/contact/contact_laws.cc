@@ -4,6 +4,7 @@
 
 #include <biface/contact/bristles.h>
 #include <biface/contact/contact_laws.h>
+#include <biface/contact/friction.h>
 #include <biface/contact/friction_by_slip_velocity.h>
 #include <biface/contact/friction_with_history.h>
 
@@ -50,7 +51,7 @@ namespace Biface
                            const FrictionKind      kind)
     : across(condition)
     , kind(kind)
-    , law(friction)
+    , law(std::make_shared<const FrictionLaw>(friction))
     , of_nodes(law_of_nodes(condition, friction, kind))
     , of_lines(kind == FrictionKind::by_bristles
                  ? std::make_shared<const BristleLaw>(friction, condition)

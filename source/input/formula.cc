@@ -204,6 +204,7 @@ namespace Biface
     slots.clear();
     for (const std::string &name : variables)
       {
+        // null for a variable that the formula does not use
         const auto value = parser->values.find(name);
         slots.push_back(value != parser->values.end() ? &value->second
                                                       : nullptr);

@@ -252,6 +252,7 @@ namespace Biface
   std::vector<std::string>
   declared_names(const ParameterHandler &prm)
   {
+    // deal.II lists the entries in the order of declaration only in print
     std::ostringstream text;
     prm.print_parameters(text,
                          ParameterHandler::ShortPRM |
@@ -423,6 +424,7 @@ namespace Biface
             std::regex("\\[Integer range ([-0-9]+)\\.\\.\\.([-0-9]+).*\\]")))
         return "it must be a whole number from " + match[1].str() + " to " +
                match[2].str();
+      // ranges up to MIN_INT or MAX_INT mean nothing to a user
       if (std::regex_match(pattern, std::regex("\\[Integer.*\\]")))
         return "it must be a whole number";
       if (std::regex_match(pattern, std::regex("\\[Bool\\]")))

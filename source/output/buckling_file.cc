@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <algorithm>
-
 #include <biface/model/equations/shell_equations.h>
+#include <biface/model/state/loads.h>
 #include <biface/output/buckling_file.h>
 #include <biface/output/csv.h>
 #include <biface/output/reaction_columns.h>
 #include <biface/stepping/buckling.h>
-#include <biface/stepping/stage.h>
+#include <biface/stepping/stage_sequence.h>
 #include <biface/stepping/step_report.h>
 
 namespace Biface
@@ -24,15 +23,6 @@ namespace Biface
                 equations,
                 any_buckling(stages))
   {}
-
-
-  bool
-  any_buckling(const std::vector<Stage> &stages)
-  {
-    return std::any_of(stages.begin(), stages.end(), [](const Stage &stage) {
-      return stage.n_buckling > 0;
-    });
-  }
 
 
   void

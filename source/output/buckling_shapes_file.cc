@@ -8,10 +8,10 @@
 #include <limits>
 
 #include <biface/model/equations/shell_equations.h>
-#include <biface/output/buckling_file.h>
 #include <biface/output/buckling_shapes_file.h>
 #include <biface/output/csv.h>
 #include <biface/stepping/buckling.h>
+#include <biface/stepping/stage_sequence.h>
 #include <biface/stepping/step_report.h>
 #include <biface/surface/reference_surface.h>
 

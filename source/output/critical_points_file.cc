@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <algorithm>
-
 #include <biface/model/equations/shell_equations.h>
 #include <biface/output/critical_points_file.h>
 #include <biface/output/csv.h>
 #include <biface/output/reaction_columns.h>
 #include <biface/stepping/critical_point.h>
-#include <biface/stepping/stage.h>
+#include <biface/stepping/stage_sequence.h>
 #include <biface/stepping/step_report.h>
 
 namespace Biface
@@ -24,9 +22,7 @@ namespace Biface
         1,
         directory,
         equations,
-        std::any_of(stages.begin(), stages.end(), [](const Stage &stage) {
-          return stage.locates_critical_points();
-        }))
+        any_located_points(stages))
   {}
 
 

@@ -45,6 +45,8 @@ namespace Biface
               const PlyDescription &description =
                 mesh.get_layup().get_plies()[ply.number];
               if (description.material.strengths)
+                // strains are linear across a ply: one of its sides has the
+                // most
                 for (unsigned int side = 0; side < 2; ++side)
                   function(
                     v,

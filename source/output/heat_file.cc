@@ -7,7 +7,7 @@
 #include <biface/model/mesh/strip.h>
 #include <biface/output/csv.h>
 #include <biface/output/heat_file.h>
-#include <biface/output/rolling_file.h>
+#include <biface/stepping/stage_sequence.h>
 #include <biface/stepping/step_report.h>
 #include <biface/surface/reference_surface.h>
 

@@ -72,6 +72,7 @@ namespace Biface
         for (unsigned int i = 0; i < 3; ++i)
           {
             values[4 + i] = body.displacement[i];
+            // degrees, as in the parameter file
             values[7 + i] = body.rotation[i] * 180 / numbers::PI;
           }
         return values;
@@ -119,6 +120,7 @@ namespace Biface
                 for (unsigned int i = 0; i < 3; ++i)
                   values.emplace_back(momentum[i]);
             }
+          // a shell at rest has no motion: its fields stay empty
           values.resize(n);
           return values;
         };

@@ -9,7 +9,7 @@
 #include <biface/model/state/loads.h>
 #include <biface/output/csv.h>
 #include <biface/output/hysteresis_file.h>
-#include <biface/output/rolling_file.h>
+#include <biface/stepping/stage_sequence.h>
 #include <biface/stepping/step_report.h>
 
 namespace Biface

@@ -2,16 +2,14 @@
 
 #include <deal.II/base/utilities.h>
 
-#include <algorithm>
 #include <utility>
 
 #include <biface/model/equations/shell_equations.h>
-#include <biface/output/buckling_file.h>
 #include <biface/output/csv.h>
 #include <biface/output/mode_vtu.h>
 #include <biface/solver/modal_analysis.h>
 #include <biface/stepping/buckling.h>
-#include <biface/stepping/stage.h>
+#include <biface/stepping/stage_sequence.h>
 #include <biface/stepping/step_report.h>
 
 namespace Biface
@@ -100,14 +98,8 @@ namespace Biface
                    const std::vector<Stage>   &stages,
                    ResultsDirectory           &directory,
                    const ShellEquations       &equations)
-    : ShapesVtu("modes",
-                parameters.write && std::any_of(stages.begin(),
-                                                stages.end(),
-                                                [](const Stage &stage) {
-                                                  return stage.n_modes > 0;
-                                                }),
-                directory,
-                equations)
+    : ShapesVtu(
+        "modes", parameters.write && any_modes(stages), directory, equations)
   {}
 
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <algorithm>
-
 #include <biface/output/csv.h>
 #include <biface/output/modes_file.h>
 #include <biface/solver/modal_analysis.h>
-#include <biface/stepping/stage.h>
+#include <biface/stepping/stage_sequence.h>
 #include <biface/stepping/step_report.h>
 
 namespace Biface
@@ -15,19 +13,16 @@ namespace Biface
   ModesFile::ModesFile(const std::vector<Stage> &stages,
                        ResultsDirectory         &directory,
                        const ShellEquations     &equations)
-    : StepTable(
-        "modes.csv",
-        "step,modes,mode,stage,frequency,growth_rate,generalized_mass,"
-        "participation_x,participation_y,participation_z,"
-        "effective_mass_x,effective_mass_y,effective_mass_z,"
-        "total_mass,circumferential_waves,meridional_half_waves,travel,"
-        "part_of_air",
-        0,
-        directory,
-        equations,
-        std::any_of(stages.begin(), stages.end(), [](const Stage &stage) {
-          return stage.n_modes > 0;
-        }))
+    : StepTable("modes.csv",
+                "step,modes,mode,stage,frequency,growth_rate,generalized_mass,"
+                "participation_x,participation_y,participation_z,"
+                "effective_mass_x,effective_mass_y,effective_mass_z,"
+                "total_mass,circumferential_waves,meridional_half_waves,travel,"
+                "part_of_air",
+                0,
+                directory,
+                equations,
+                any_modes(stages))
   {}
 
 

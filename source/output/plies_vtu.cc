@@ -80,6 +80,7 @@ namespace Biface
               : parts_along(initial,
                             std::cos(angle) * frame[0] +
                               std::sin(angle) * frame[1]);
+          // the sides carry a fiber along: its parts stay those at rest
           Tensor<1, 3> fiber = parts[0] * sides[0] + parts[1] * sides[1];
           fiber /= fiber.norm();
           for (unsigned int d = 0; d < 3; ++d)

@@ -56,6 +56,7 @@ namespace Biface
         add("middle", {0.5, 0.5});
         for (unsigned int face = 1; face < equations.mesh.n_layers(); ++face)
           {
+            // the faces between layers come after the inner and the outer one
             std::vector<double> shares(face + 2);
             shares.back() = 1;
             add("face_" + std::to_string(face), shares);

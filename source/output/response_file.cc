@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <algorithm>
-
 #include <biface/output/csv.h>
 #include <biface/output/response_file.h>
 #include <biface/solver/harmonic_response.h>
-#include <biface/stepping/stage.h>
+#include <biface/stepping/stage_sequence.h>
 #include <biface/stepping/step_report.h>
 
 namespace Biface
@@ -13,16 +11,13 @@ namespace Biface
   ResponseFile::ResponseFile(const std::vector<Stage> &stages,
                              ResultsDirectory         &directory,
                              const ShellEquations     &equations)
-    : StepTable(
-        "response.csv",
-        "step,lines,stage,excitation,frequency,output,kind,"
-        "x_real,x_imaginary,y_real,y_imaginary,z_real,z_imaginary",
-        0,
-        directory,
-        equations,
-        std::any_of(stages.begin(), stages.end(), [](const Stage &stage) {
-          return stage.vibrates();
-        }))
+    : StepTable("response.csv",
+                "step,lines,stage,excitation,frequency,output,kind,"
+                "x_real,x_imaginary,y_real,y_imaginary,z_real,z_imaginary",
+                0,
+                directory,
+                equations,
+                any_response(stages))
   {}
 
 

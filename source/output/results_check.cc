@@ -10,6 +10,7 @@
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/shell_equations.h>
+#include <biface/model/forces/nodal_forces.h>
 #include <biface/model/quantities/worst_strains.h>
 #include <biface/model/state/loads.h>
 #include <biface/model/state/placed_body.h>

@@ -6,7 +6,6 @@
 #include <biface/model/state/loads.h>
 #include <biface/output/csv.h>
 #include <biface/output/rig_table.h>
-#include <biface/stepping/stage.h>
 #include <biface/stepping/step_report.h>
 
 namespace Biface
@@ -43,7 +42,7 @@ namespace Biface
 
 
   RigPoint
-  rig_point(const Stage &stage, const StepReport &report)
+  rig_point(const RigTarget &target, const StepReport &report)
   {
     const RollingSummary &rolling = *report.rolling;
     RigPoint              result;
@@ -51,7 +50,7 @@ namespace Biface
     result.velocity           = report.level.ground_velocity;
     result.inclination_angle  = report.level.inclination_angle;
     result.slip_angle         = report.level.slip_angle;
-    result.slip_ratio         = stage.slip_ratio.value_or(0);
+    result.slip_ratio         = target.slip_ratio;
     result.angular_velocity   = report.level.angular_velocity;
     result.rolling_radius     = rolling.rolling_radius;
     result.loaded_radius      = rolling.loaded_radius;
@@ -69,11 +68,14 @@ namespace Biface
   }
 
 
-  RigTable::RigTable(const RigAxes             axes,
-                     const std::vector<Stage> &stages,
-                     const unsigned int        first_point,
-                     ResultsDirectory         &directory)
-    : axes(axes), stages(stages), first_point(first_point), directory(directory)
+  RigTable::RigTable(const RigAxes                 axes,
+                     const std::vector<RigTarget> &targets,
+                     const unsigned int            first_point,
+                     ResultsDirectory             &directory)
+    : axes(axes)
+    , targets(targets)
+    , first_point(first_point)
+    , directory(directory)
   {
     directory.remove("tire_test\\.csv");
   }
@@ -105,22 +107,22 @@ namespace Biface
   {
     // the y axis points to the right in SAE and to the left otherwise, and z
     // goes with it; x is forward in all
-    const Stage       &stage   = stages[position];
+    const RigTarget   &asked   = target(position);
     const double       nan     = std::numeric_limits<double>::quiet_NaN();
     const double       left    = axes == RigAxes::SAE ? -1 : 1;
     const double       angle   = axes == RigAxes::ISO ? 1 : -1;
     const double       incline = axes == RigAxes::adapted_ISO ? -1 : 1;
     const Tensor<1, 3> signs({1., left, left});
 
-    std::vector<double> values{stage.force};
+    std::vector<double> values{asked.load};
     if (point == nullptr)
       {
         values.insert(values.end(),
-                      {stage.pressure.value_or(nan),
-                       stage.ground_velocity.value_or(nan),
-                       incline * stage.inclination_angle.value_or(nan),
-                       angle * stage.slip_angle.value_or(nan),
-                       stage.slip_ratio.value_or(0)});
+                      {asked.pressure,
+                       asked.velocity,
+                       incline * asked.inclination_angle,
+                       angle * asked.slip_angle,
+                       asked.slip_ratio});
         // no results, and no iterations
         values.resize(values.size() + 14, nan);
         values.push_back(0);
@@ -163,7 +165,7 @@ namespace Biface
     if (failures.empty())
       return {};
     return std::to_string(failures.size()) + " of " +
-           std::to_string(stages.size() - first_point) +
+           std::to_string(targets.size()) +
            (failures.size() == 1
               ? " point of the tire test has failed: "
               : " points of the tire test have failed, the first one: ") +

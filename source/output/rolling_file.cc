@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <algorithm>
 #include <limits>
 #include <string>
 
@@ -8,7 +7,7 @@
 #include <biface/model/equations/shell_equations.h>
 #include <biface/output/csv.h>
 #include <biface/output/rolling_file.h>
-#include <biface/stepping/stage.h>
+#include <biface/stepping/stage_sequence.h>
 #include <biface/stepping/step_report.h>
 
 namespace Biface
@@ -31,18 +30,6 @@ namespace Biface
         equations,
         any_rolling(stages))
   {}
-
-
-  bool
-  any_rolling(const std::vector<Stage> &stages)
-  {
-    return std::any_of(stages.begin(),
-                       stages.end(),
-                       [](const Stage &stage) { return stage.contact; }) &&
-           std::any_of(stages.begin(), stages.end(), [](const Stage &stage) {
-             return stage.rolls(LoadLevel());
-           });
-  }
 
 
   void

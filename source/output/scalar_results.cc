@@ -13,7 +13,7 @@
 #include <biface/output/scalar_results.h>
 #include <biface/solver/modal_analysis.h>
 #include <biface/stepping/buckling.h>
-#include <biface/stepping/stage.h>
+#include <biface/stepping/stage_sequence.h>
 
 namespace Biface
 {
@@ -90,16 +90,9 @@ namespace Biface
   ScalarResults::Known::at_ends(const Cavity             *cavity,
                                 const std::vector<Stage> &stages)
   {
-    Known known{cavity != nullptr,
-                numbers::invalid_unsigned_int,
-                numbers::invalid_unsigned_int};
     // a result must exist at the ends of all of them
-    for (const Stage &stage : stages)
-      {
-        known.n_modes    = std::min(known.n_modes, stage.n_modes);
-        known.n_buckling = std::min(known.n_buckling, stage.n_buckling);
-      }
-    return known;
+    return {
+      cavity != nullptr, fewest_modes(stages), fewest_buckling_loads(stages)};
   }
 
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <algorithm>
-
+#include <biface/contact/rigid_body.h>
 #include <biface/model/state/loads.h>
 #include <biface/output/csv.h>
 #include <biface/output/stiffness_file.h>
-#include <biface/stepping/stage.h>
+#include <biface/stepping/stage_sequence.h>
 #include <biface/stepping/step_report.h>
 
 namespace Biface
@@ -62,15 +61,12 @@ namespace Biface
   StiffnessFile::StiffnessFile(const std::vector<Stage> &stages,
                                ResultsDirectory         &directory,
                                const ShellEquations     &equations)
-    : StepTable(
-        "stiffness.csv",
-        stiffness_header(),
-        1,
-        directory,
-        equations,
-        std::any_of(stages.begin(), stages.end(), [](const Stage &stage) {
-          return stage.moves_ground();
-        }))
+    : StepTable("stiffness.csv",
+                stiffness_header(),
+                1,
+                directory,
+                equations,
+                any_motion_of_ground(stages))
   {}
 
 

@@ -30,8 +30,8 @@ namespace Biface
       if (!stage.contact)
         throw InputError(
           section + "/Glued", "true", "it needs 'Contact = true'");
-      const auto before = stage_before(stages, i);
-      if (!before || !stages[*before].contact || stage.from_prestress)
+      const auto before = continued_stage(stages, i);
+      if (!before || !stages[*before].contact)
         throw InputError(section + "/Glued",
                          "true",
                          "the stage from which it starts must have 'Contact "
@@ -60,8 +60,8 @@ namespace Biface
       check("Tangential regularization", stage.laws.tangential_stiffness);
 
       // these controls do not know how far a step goes
-      const auto before = stage_before(stages, i);
-      if (before && !stage.from_prestress &&
+      const auto before = continued_stage(stages, i);
+      if (before &&
           (stage.control == ControlKind::displacement ||
            stage.control == ControlKind::arc_length) &&
           stages[*before].laws.penalty_stiffness !=
@@ -101,7 +101,8 @@ namespace Biface
   FrictionCoefficient
   Parameters::friction_in(const Stage &stage) const
   {
-    return stage.laws.friction.value_or(contact.friction.coefficient);
+    return stage.laws.friction ? *stage.laws.friction
+                               : contact.friction.coefficient;
   }
 
 

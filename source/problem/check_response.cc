@@ -81,6 +81,7 @@ namespace Biface
                  contact.friction.in_rolling == FrictionInRolling::bristles,
                "where the wheel rolls with 'Rolling friction = bristles'");
         if (rolls[i])
+          // materials that no ply has do not matter
           for (const PlyParameters &ply : laminate.plies)
             for (const MaterialParameters &material : materials)
               refuse(material.name == ply.material && material.relaxes(),

@@ -14,7 +14,7 @@
 #include <biface/input/parameter_text.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/problem/design_variable.h>
-#include <biface/problem/parameters.h>
+#include <biface/problem/override.h>
 
 namespace Biface
 {

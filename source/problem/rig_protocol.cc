@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <memory>
 #include <utility>
 
 #include <biface/base/errors.h>
@@ -298,7 +300,7 @@ namespace Biface
           stages[base - 1].laws.tangential_stiffness;
         // friction of a standing wheel would leave tractions that rolling does
         // not know
-        now.laws.friction = FrictionCoefficient();
+        now.laws.friction = std::make_shared<const FrictionCoefficient>();
         now.n_steps       = std::max(6u, test.n_steps);
         now.start_from    = base;
         stages.push_back(now);
@@ -368,6 +370,13 @@ namespace Biface
 
 
   unsigned int
+  RigProtocol::number_of_start(const std::vector<Stage> &stages) const
+  {
+    return start_from == 0 ? stages.size() : start_from;
+  }
+
+
+  unsigned int
   RigProtocol::append_to(std::vector<Stage> &stages) const
   {
     if (!is_requested())
@@ -376,5 +385,21 @@ namespace Biface
     const unsigned int first_point = stages.size() + 1;
     RigStages(*this, stages).add_all();
     return first_point;
+  }
+
+
+  std::vector<RigTarget>
+  rig_targets(const std::vector<Stage> &stages, const unsigned int first_point)
+  {
+    const double           nan = std::numeric_limits<double>::quiet_NaN();
+    std::vector<RigTarget> targets;
+    for (unsigned int i = first_point; i < stages.size(); ++i)
+      targets.push_back({stages[i].force,
+                         stages[i].pressure.value_or(nan),
+                         stages[i].ground_velocity.value_or(nan),
+                         stages[i].inclination_angle.value_or(nan),
+                         stages[i].slip_angle.value_or(nan),
+                         stages[i].slip_ratio.value_or(0)});
+    return targets;
   }
 } // namespace Biface

@@ -9,6 +9,7 @@
 #include <biface/base/errors.h>
 #include <biface/base/version.h>
 #include <biface/model/mesh/rigid_motions.h>
+#include <biface/problem/parameters.h>
 #include <biface/program/command_line.h>
 #include <biface/program/program.h>
 #include <biface/program/starting_files.h>

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include <biface/base/errors.h>
+#include <biface/contact/friction_coefficient.h>
 #include <biface/restart/checkpoint.h>
 
 #include <boost/serialization/map.hpp>

@@ -352,6 +352,7 @@ namespace Biface
                               const unsigned int            n)
   {
     pencil.low_rank_transposed = pencil.low_rank_shifted.transposed();
+    // the factors remain; what surrounds them changes in the transposed problem
     if (!pencil.low_rank_transposed.prepare(
           [&](LA::Vector &x, const LA::Vector &b) {
             return solve_pinned(pencil, x, b, LinearSystem::transposed).success;

@@ -13,6 +13,7 @@
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/equations/tangent_matrix.h>
+#include <biface/model/forces/nodal_forces.h>
 #include <biface/model/state/loads.h>
 #include <biface/model/state/placed_body.h>
 #include <biface/solver/fixed_contact_tangent.h>
@@ -285,6 +286,7 @@ namespace Biface
             largest = std::max(largest, std::sqrt(square));
           }
     largest = Utilities::MPI::max(largest, mesh.communicator);
+    // one factor for both parts, between which it keeps the phase
     for (unsigned int i = 0; i < parts.size(); ++i)
       {
         owned[i] /= largest;

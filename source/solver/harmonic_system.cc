@@ -413,7 +413,7 @@ namespace Biface
       G = std::make_unique<const Part>(Part{
         nullptr,
         std::make_unique<const VelocityMatrix>(contact, state, alone, none)});
-    if (losses.damping.of_stiffness > 0)
+    if (losses.damping_of_stiffness > 0)
       K_0 = std::make_unique<const Part>(Part{
         sum_over_layers(mesh, none, [&](const unsigned int c, auto &of_cell) {
           internal.add_damping(shape_of_tangent, c, of_cell);
@@ -512,11 +512,11 @@ namespace Biface
   {
     const Number of_stiffness(1, losses.loss_factor), of_velocity(0, omega);
     function(of_stiffness, *K);
-    function(Number(-omega * omega, omega * losses.damping.of_mass), *M);
+    function(Number(-omega * omega, omega * losses.damping_of_mass), *M);
     if (G)
       function(of_velocity, *G);
     if (K_0)
-      function(losses.damping.of_stiffness * of_velocity, *K_0);
+      function(losses.damping_of_stiffness * of_velocity, *K_0);
     for (const auto &[loss, part] : materials)
       function(loss.factor(omega) - 1., *part);
     for (const ContactOfBody &body : bodies)
@@ -726,7 +726,7 @@ namespace Biface
     Amplitudes moves = zero();
     moves.add(1, displacement);
     M->vmult_add(
-      forces, Number(omega * omega, -omega * losses.damping.of_mass), moves);
+      forces, Number(omega * omega, -omega * losses.damping_of_mass), moves);
     if (G)
       G->vmult_add(forces, Number(0, -omega), moves);
   }

@@ -170,6 +170,7 @@ namespace Biface
         inverse(c, c) += air.compliances[c];
         per_pressure.push_back(u);
       }
+    // volumes in sections are eliminated: differences of pressure drive them
     for (const AirMotion::Section &section : air.sections)
       {
         const double mobility = -1 / (shift * section.inertia);

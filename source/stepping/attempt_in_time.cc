@@ -13,6 +13,7 @@
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/contact/settle_friction.h>
+#include <biface/model/forces/nodal_forces.h>
 #include <biface/model/mesh/supports.h>
 #include <biface/model/state/step_in_time.h>
 #include <biface/model/time/energy_of_motion.h>
@@ -83,6 +84,7 @@ namespace Biface
       LA::Vector             correction = mesh.owned_vector();
       for (const PrescribedDisplacement &p : mesh.prescribed)
         if (mesh.locally_owned.is_element(p.dof))
+          // the rule of the step would end at 2 v_mean - v_0
           correction(p.dof) =
             (motion.at_end(p.dof) -
              (2 * motion.mean(p.dof) - run.state.velocity(p.dof))) /

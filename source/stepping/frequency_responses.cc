@@ -46,6 +46,7 @@ namespace Biface
         {
           result.direction = motion->second;
           for (const ContactPair *pair : contact.present(loads))
+            // what stands on the ground moves with it
             if (motion->first == (pair->number == 0 ? "ground" : pair->name) ||
                 (motion->first == "ground" && pair->moving_body.is_on_ground()))
               result.bodies.insert(pair->number);
@@ -73,8 +74,10 @@ namespace Biface
       return;
     HarmonicResponse::Request request;
     request.frequencies = stage.frequencies;
-    request.losses      = {
-           stage.loss_factor, stage.damping_in_time, report.level.temperature};
+    request.losses      = {stage.loss_factor,
+                           stage.damping_in_time.of_mass,
+                           stage.damping_in_time.of_stiffness,
+                           report.level.temperature};
     for (const std::string &name : stage.excitations)
       request.excitations.push_back(
         excitation_of(name, stage, *report.loads, run.contact));

@@ -7,6 +7,7 @@
 #include <string>
 
 #include <biface/contact/contact_laws.h>
+#include <biface/contact/friction.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/stepping/friction_continuation.h>
 #include <biface/stepping/stage_run.h>

@@ -7,6 +7,7 @@
 
 #include <biface/input/entry_declarations.h>
 #include <biface/model/contact/contact_interaction.h>
+#include <biface/model/forces/nodal_forces.h>
 #include <biface/model/quantities/work.h>
 #include <biface/model/quantities/worst_strains.h>
 #include <biface/model/state/loads.h>

@@ -7,7 +7,6 @@
 #include <biface/model/state/contact_points.h>
 #include <biface/model/state/state.h>
 #include <biface/stepping/nested_predictor.h>
-#include <biface/stepping/stage.h>
 #include <biface/stepping/stage_sequence.h>
 
 namespace Biface
@@ -17,7 +16,8 @@ namespace Biface
   NestedPredictor::NestedPredictor(const ChartGrid          &coarse,
                                    const unsigned int        n_layers,
                                    const std::vector<Stage> &stages)
-    : undeformed(GridState(coarse, n_layers)), stages(stages)
+    : undeformed(GridState(coarse, n_layers))
+    , continued(continued_stages(stages))
   {}
 
 
@@ -44,8 +44,8 @@ namespace Biface
 
     // the last step of the stage from whose end this one starts
     const auto end_before = [&]() -> const GridState * {
-      const auto position = stage_before(stages, instant.stage);
-      if (!position || stages[instant.stage].from_prestress)
+      const auto position = continued[instant.stage];
+      if (!position)
         return &*undeformed;
       const auto next = states.lower_bound({*position + 1, 0});
       return next == states.begin() || std::prev(next)->first.stage != *position

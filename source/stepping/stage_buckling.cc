@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <biface/model/forces/nodal_forces.h>
 #include <biface/model/mesh/rigid_motions.h>
 #include <biface/stepping/buckling.h>
 #include <biface/stepping/buckling_start.h>

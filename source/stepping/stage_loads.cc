@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <biface/base/errors.h>
+#include <biface/contact/friction_coefficient.h>
 #include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/stepping/stage_loads.h>
@@ -70,12 +71,12 @@ namespace Biface
     }
 
 
-    std::optional<FrictionCoefficient>
+    std::shared_ptr<const FrictionCoefficient>
     parse_own_friction(const std::string &entry, const std::string &text)
     {
       if (text.empty())
-        return {};
-      return parse_friction(entry, text);
+        return nullptr;
+      return std::make_shared<const FrictionCoefficient>(entry, text);
     }
   } // namespace
 

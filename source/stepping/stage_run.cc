@@ -67,8 +67,8 @@ namespace Biface
     std::optional<Stage>
     before_in(const std::vector<Stage> &stages, const unsigned int position)
     {
-      const auto before = stage_before(stages, position);
-      if (!before || stages[position].from_prestress)
+      const auto before = continued_stage(stages, position);
+      if (!before)
         return {};
       return stages[*before];
     }
@@ -377,7 +377,7 @@ namespace Biface
         const Control::Trial first = control->propose(last_converged());
         const LoadLevel      after = first.level(first.mu);
         start_motion(equations,
-                     stage,
+                     stage.initial_velocity,
                      "Stage " + std::to_string(progress.stage + 1),
                      {loads_at(progress.reached),
                       loads_at(first.level({first.mu[0] - first.size / 2})),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <algorithm>
 #include <string>
 
 #include <biface/stepping/controls/make_control.h>
@@ -27,6 +28,101 @@ namespace Biface
       if (stage_before(stages, later) == position)
         return true;
     return false;
+  }
+
+
+  std::optional<unsigned int>
+  continued_stage(const std::vector<Stage> &stages, const unsigned int position)
+  {
+    return stages[position].from_prestress ? std::nullopt
+                                           : stage_before(stages, position);
+  }
+
+
+  std::vector<std::optional<unsigned int>>
+  continued_stages(const std::vector<Stage> &stages)
+  {
+    std::vector<std::optional<unsigned int>> result;
+    for (unsigned int i = 0; i < stages.size(); ++i)
+      result.push_back(continued_stage(stages, i));
+    return result;
+  }
+
+
+  namespace
+  {
+    template <typename Predicate>
+    bool
+    any(const std::vector<Stage> &stages, const Predicate &predicate)
+    {
+      return std::any_of(stages.begin(), stages.end(), predicate);
+    }
+  } // namespace
+
+
+  bool
+  any_modes(const std::vector<Stage> &stages)
+  {
+    return any(stages, [](const Stage &stage) { return stage.n_modes > 0; });
+  }
+
+
+  bool
+  any_buckling(const std::vector<Stage> &stages)
+  {
+    return any(stages, [](const Stage &stage) { return stage.n_buckling > 0; });
+  }
+
+
+  bool
+  any_response(const std::vector<Stage> &stages)
+  {
+    return any(stages, [](const Stage &stage) { return stage.vibrates(); });
+  }
+
+
+  bool
+  any_located_points(const std::vector<Stage> &stages)
+  {
+    return any(stages, [](const Stage &stage) {
+      return stage.locates_critical_points();
+    });
+  }
+
+
+  bool
+  any_motion_of_ground(const std::vector<Stage> &stages)
+  {
+    return any(stages, [](const Stage &stage) { return stage.moves_ground(); });
+  }
+
+
+  bool
+  any_rolling(const std::vector<Stage> &stages)
+  {
+    return any(stages, [](const Stage &stage) { return stage.contact; }) &&
+           any(stages,
+               [](const Stage &stage) { return stage.rolls(LoadLevel()); });
+  }
+
+
+  unsigned int
+  fewest_modes(const std::vector<Stage> &stages)
+  {
+    unsigned int fewest = numbers::invalid_unsigned_int;
+    for (const Stage &stage : stages)
+      fewest = std::min(fewest, stage.n_modes);
+    return fewest;
+  }
+
+
+  unsigned int
+  fewest_buckling_loads(const std::vector<Stage> &stages)
+  {
+    unsigned int fewest = numbers::invalid_unsigned_int;
+    for (const Stage &stage : stages)
+      fewest = std::min(fewest, stage.n_buckling);
+    return fewest;
   }
 
 

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include <biface/base/errors.h>
+#include <biface/input/formula.h>
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/mesh/supports.h>
 #include <biface/model/state/loads.h>
-#include <biface/stepping/stage_motion.h>
 #include <biface/stepping/start_motion.h>
 
 namespace Biface
@@ -86,24 +86,24 @@ namespace Biface
 
 
   void
-  start_motion(const ShellEquations    &equations,
-               const StageMotion       &stage,
-               const std::string       &section,
-               const LoadsOfStepInTime &first,
-               State                   &state)
+  start_motion(const ShellEquations       &equations,
+               const std::vector<Formula> &initial_velocity,
+               const std::string          &section,
+               const LoadsOfStepInTime    &first,
+               State                      &state)
   {
     const ShellMesh &mesh     = equations.mesh;
     LA::Vector       velocity = mesh.owned_vector();
     if (state.velocity.size() > 0)
       velocity = owned_part(state.velocity);
     bool is_finite = true;
-    if (!stage.initial_velocity.empty())
-      is_finite = set_velocities(mesh, stage.initial_velocity, state, velocity);
+    if (!initial_velocity.empty())
+      is_finite = set_velocities(mesh, initial_velocity, state, velocity);
     // a formula may have no value on one rank alone
     if (Utilities::MPI::logical_or(!is_finite, mesh.communicator))
       {
         std::string text;
-        for (const Formula &formula : stage.initial_velocity)
+        for (const Formula &formula : initial_velocity)
           text += (text.empty() ? "" : "; ") + formula.get_text();
         throw InputError(section + "/Initial velocity",
                          text,

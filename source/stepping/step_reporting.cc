@@ -3,6 +3,7 @@
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/contact/contact_summary.h>
+#include <biface/model/forces/nodal_forces.h>
 #include <biface/model/quantities/footprint.h>
 #include <biface/model/quantities/forces_on_shell.h>
 #include <biface/model/state/loads.h>

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <biface/contact/contact_laws.h>
+#include <biface/contact/friction.h>
 #include <biface/laminate/layup.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
@@ -229,6 +230,7 @@ namespace Biface
         item.secant         = secant->second;
         item.doubt          = doubt_of_secant;
       }
+    // in the first step of a stage it starts where the secant does
     if (const auto tangent =
           stiffness(run,
                     last ? *last : first,

@@ -291,6 +291,7 @@ namespace Biface
     std::vector<std::vector<double>> result;
     if (!lines.empty())
       {
+        // the names of the columns, whose order is up to the file
         const std::vector<unsigned int> columns = columns_of(lines.front());
         lines.erase(lines.begin());
         if (lines.size() > max_samples)

@@ -26,6 +26,7 @@
 #include <biface/output/csv.h>
 #include <biface/output/result_file.h>
 #include <biface/output/scalar_results.h>
+#include <biface/problem/parameters.h>
 #include <biface/stepping/stage_sequence.h>
 #include <biface/study/sample_queue.h>
 #include <biface/study/sample_states.h>
@@ -437,6 +438,7 @@ namespace Biface
     {
       std::ostringstream                screen;
       std::unique_ptr<const Simulation> simulation;
+      // errors name the file in which the user finds them
       try
         {
           simulation = std::make_unique<const Simulation>(

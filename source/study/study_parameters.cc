@@ -6,7 +6,6 @@
 #include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_text.h>
 #include <biface/input/parameter_tools.h>
-#include <biface/stepping/buckling.h>
 #include <biface/study/study_parameters.h>
 
 namespace Biface

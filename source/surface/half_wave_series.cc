@@ -108,6 +108,7 @@ namespace Biface
         const double size = std::hypot(term.A, term.B);
         if (size == 0)
           continue;
+        // at a plane of symmetry the slope across it vanishes
         for (const double s : planes[0])
           if (std::abs(std::sin(term.k * numbers::PI * s)) > round_off)
             refuse(term,

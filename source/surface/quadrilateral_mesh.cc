@@ -453,6 +453,7 @@ namespace Biface
         for (const Point<3> &x : mesh.nodes)
           size = std::max(size, x.distance(mesh.nodes[0]));
         const double tolerance = 1e-7 * size;
+        // along x, so that few pairs of nodes need to be compared
         std::sort(sorted_nodes.begin(),
                   sorted_nodes.end(),
                   [&](const unsigned int a, const unsigned int b) {
@@ -717,6 +718,7 @@ namespace Biface
                 std::max(-1.,
                          along * across / (along.norm() * across.norm()))));
               const Tensor<1, 3> normal = normal_at(c, v);
+              // a cell counts as much as several that share its angle
               mesh.normals[cell[v]] += angle / normal.norm() * normal;
             }
         for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
@@ -739,6 +741,7 @@ namespace Biface
                 std::vector<unsigned int> nodes;
                 for (const unsigned int corner : element.corners)
                   nodes.push_back(new_number[corner]);
+                // a node of no cell has got no number
                 const bool inside =
                   std::find(nodes.begin(),
                             nodes.end(),
@@ -777,6 +780,7 @@ namespace Biface
           }
         for (const auto &[set_name, nodes] : raw.node_sets)
           {
+            // which of their sides are free is not known yet
             auto &own = sets_of_nodes[mesh.groups.size()];
             for (const unsigned int node : nodes)
               if (new_number[node] != numbers::invalid_unsigned_int)
@@ -793,6 +797,7 @@ namespace Biface
       add_free_sides(Group &group, const std::set<unsigned int> &set_of_nodes)
       {
         std::map<unsigned int, unsigned int> original;
+        // at a fold each part of the shell has its own copy of a node
         for (const unsigned int node : set_of_nodes)
           for (const unsigned int copy : copies[node])
             original[copy] = node;

@@ -242,6 +242,7 @@ namespace Biface
             const auto other = sets.find(in_capitals(cell));
             if (other == sets.end())
               refuse("numbers, or names of sets that have been given before");
+            // a set may be added to itself, whose numbers would move meanwhile
             const std::vector<std::size_t> copy = other->second;
             items.insert(items.end(), copy.begin(), copy.end());
           }
@@ -269,6 +270,7 @@ namespace Biface
         long group = 0;
         for (const auto &[set_name, numbers] : element_sets)
           {
+            // its sides and its cells are two groups of the same number
             ++group;
             for (const std::size_t element : numbers)
               {

@@ -174,6 +174,7 @@ namespace Biface
                                "' has parametric nodes, but must be saved "
                                "with 'Mesh.SaveParametric = 0'.");
             else
+              // results, views and so on are passed over
               is_read = false;
             const std::string end = "$End" + section.substr(1);
             do
@@ -287,6 +288,7 @@ namespace Biface
               }
             return;
           }
+        // from version 4 on, a block has all numbers before the coordinates
         const std::size_t n_blocks = text.index_of(of_block);
         for (std::size_t b = 0; b < n_blocks; ++b)
           {

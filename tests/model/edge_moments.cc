@@ -12,6 +12,7 @@
 #include <biface/model/equations/force_terms.h>
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/forces/dead_loads.h>
+#include <biface/model/forces/nodal_forces.h>
 #include <biface/model/state/loads.h>
 
 #include "coarse_torus.h"

@@ -6,6 +6,7 @@
 // motion that turns a body, without and with friction. So are the derivatives
 // of the power of the body in this motion.
 
+#include <biface/contact/body_parameters.h>
 #include <biface/laminate/layup.h>
 #include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_interaction.h>

@@ -8,7 +8,7 @@
 #include <string>
 
 #include <biface/input/entry_declarations.h>
-#include <biface/problem/parameters.h>
+#include <biface/input/pairs_file.h>
 #include <biface/stepping/progress.h>
 
 namespace Biface

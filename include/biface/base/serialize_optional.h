@@ -3,6 +3,7 @@
 #ifndef biface_base_serialize_optional_h
 #define biface_base_serialize_optional_h
 
+#include <memory>
 #include <optional>
 
 namespace Biface
@@ -16,6 +17,20 @@ namespace Biface
     Value           content = value.value_or(Value());
     archive &given &content;
     value = (given ? std::optional<Value>(content) : std::nullopt);
+  }
+
+
+  /** Add a shared value to an archive, or read it from one: null stands for one
+   * that is not set, as in std::optional. */
+  template <class Archive, class Value>
+  void
+  serialize_optional(Archive &archive, std::shared_ptr<const Value> &value)
+  {
+    std::optional<Value> content;
+    if (value)
+      content = *value;
+    serialize_optional(archive, content);
+    value = (content ? std::make_shared<const Value>(*content) : nullptr);
   }
 } // namespace Biface
 

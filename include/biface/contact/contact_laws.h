@@ -4,14 +4,13 @@
 #define biface_contact_contact_laws_h
 
 #include <memory>
-#include <optional>
 
 #include <biface/contact/contact_condition.h>
-#include <biface/contact/friction.h>
 
 namespace Biface
 {
   class BristleLaw;
+  class FrictionLaw;
   class TangentialLaw;
 
 
@@ -94,7 +93,7 @@ namespace Biface
   private:
     ContactCondition                     across;
     FrictionKind                         kind;
-    std::optional<FrictionLaw>           law;
+    std::shared_ptr<const FrictionLaw>   law;
     std::shared_ptr<const TangentialLaw> of_nodes;
     std::shared_ptr<const BristleLaw>    of_lines;
   };

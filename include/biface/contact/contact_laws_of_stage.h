@@ -3,18 +3,20 @@
 #ifndef biface_contact_contact_laws_of_stage_h
 #define biface_contact_contact_laws_of_stage_h
 
+#include <memory>
 #include <optional>
-
-#include <biface/contact/friction_coefficient.h>
 
 namespace Biface
 {
+  class FrictionCoefficient;
+
+
   /** What a stage sets of the laws of contact; what is not set is that of the
    * section 'Contact'. */
   struct ContactLawsOfStage
   {
-    /** The coefficient of friction of the ground. */
-    std::optional<FrictionCoefficient> friction;
+    /** The coefficient of friction of the ground; null if it is not set. */
+    std::shared_ptr<const FrictionCoefficient> friction;
     /** The parameters @f$\varepsilon@f$ of ContactCondition and
      * @f$\varepsilon_t@f$ of FrictionLaw, of all bodies; a tread is in series
      * with them. Unit: pressure/length. */

@@ -7,6 +7,7 @@
 
 #include <mpi.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,10 @@ namespace Biface
          const MPI_Comm     communicator,
          const std::string &unit_of_length = "");
   };
+
+
+  /** The contents of files of pairs, by entry. */
+  using PairsByEntry = std::map<std::string, std::vector<dealii::Point<2>>>;
 } // namespace Biface
 
 #endif

@@ -35,11 +35,6 @@ namespace Biface
     void
     write(const StepReport &report, const State &state) override;
   };
-
-
-  /** Whether any stage asks for buckling loads. */
-  bool
-  any_buckling(const std::vector<Stage> &stages);
 } // namespace Biface
 
 #endif

@@ -13,8 +13,8 @@
 
 namespace Biface
 {
-  struct Stage;
   struct StepReport;
+
 
   /** The signs of the results of a tire test. */
   enum class RigAxes
@@ -35,8 +35,16 @@ namespace Biface
   rig_axes_names();
 
 
+  /** What a point of a tire test asks for, in the axes of ISO; not a number for
+   * what its stage leaves unchanged. Angles in degrees. */
+  struct RigTarget
+  {
+    double load, pressure, velocity, inclination_angle, slip_angle, slip_ratio;
+  };
+
+
   /** The result of a point of a tire test, in the axes of ISO. Angles in
-   * radians. */
+   * degrees. */
   struct RigPoint
   {
     double pressure = 0, velocity = 0, inclination_angle = 0, slip_angle = 0,
@@ -62,10 +70,10 @@ namespace Biface
   };
 
 
-  /** The point of a tire test at the end of a stage.
+  /** The point of a tire test at the end of its stage.
    * @param report that of the last step of the stage. */
   RigPoint
-  rig_point(const Stage &stage, const StepReport &report);
+  rig_point(const RigTarget &target, const StepReport &report);
 
 
   /** The table of a tire test, `tire_test.csv`: a row for each point, also for
@@ -80,19 +88,27 @@ namespace Biface
     using Points   = std::map<unsigned int, RigPoint>;
     using Failures = std::map<unsigned int, std::string>;
 
-    /** The stages and the directory are kept by reference.
+    /** The directory is kept by reference.
+     * @param targets those of the points, in the order of their stages.
      * @param first_point the position of the stage of the first point: all
      * stages from there on are points. */
-    RigTable(const RigAxes             axes,
-             const std::vector<Stage> &stages,
-             const unsigned int        first_point,
-             ResultsDirectory         &directory);
+    RigTable(const RigAxes                 axes,
+             const std::vector<RigTarget> &targets,
+             const unsigned int            first_point,
+             ResultsDirectory             &directory);
 
     /** Whether the stage at a position is a point of the test. */
     bool
     is_point(const unsigned int position) const
     {
       return position >= first_point;
+    }
+
+    /** What the point of the stage at a position asks for. */
+    const RigTarget &
+    target(const unsigned int position) const
+    {
+      return targets[position - first_point];
     }
 
     /** Write the table if it is not up to date. Must be called on all ranks.
@@ -116,11 +132,11 @@ namespace Biface
         const RigPoint    *point,
         const std::string &status) const;
 
-    const RigAxes             axes;
-    const std::vector<Stage> &stages;
-    const unsigned int        first_point;
-    ResultsDirectory         &directory;
-    std::size_t               n_written = 0;
+    const RigAxes                axes;
+    const std::vector<RigTarget> targets;
+    const unsigned int           first_point;
+    ResultsDirectory            &directory;
+    std::size_t                  n_written = 0;
   };
 } // namespace Biface
 

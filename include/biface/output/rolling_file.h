@@ -34,11 +34,6 @@ namespace Biface
     void
     write(const StepReport &report, const State &state) override;
   };
-
-
-  /** Whether a wheel rolls over the ground in any of the stages. */
-  bool
-  any_rolling(const std::vector<Stage> &stages);
 } // namespace Biface
 
 #endif

@@ -6,7 +6,6 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +13,7 @@
 #include <biface/contact/body_parameters.h>
 #include <biface/element/formulation.h>
 #include <biface/input/entry_declarations.h>
+#include <biface/input/pairs_file.h>
 #include <biface/laminate/layup.h>
 #include <biface/laminate/material_parameters.h>
 #include <biface/model/contact/contact_parameters.h>
@@ -24,6 +24,7 @@
 #include <biface/model/mesh/named_points.h>
 #include <biface/model/mesh/supports.h>
 #include <biface/output/results_writer.h>
+#include <biface/problem/override.h>
 #include <biface/problem/rig_protocol.h>
 #include <biface/problem/sensitivity_parameters.h>
 #include <biface/restart/checkpoint_writer.h>
@@ -38,10 +39,6 @@
 
 namespace Biface
 {
-  /** The contents of files of pairs, by entry. */
-  using PairsByEntry = std::map<std::string, std::vector<dealii::Point<2>>>;
-
-
   /**
    * All parameters of a run. Each part is declared by the class that uses it;
    * here they are collected in reading order.
@@ -242,35 +239,6 @@ namespace Biface
     void
     check_mesh_from_file() const;
   };
-
-
-  /** A setting of an entry from the command line or a study. */
-  struct Override
-  {
-    /** The setting of an option `--set`.
-     * @param setting "Section/Entry=value", from the option `--set`. */
-    Override(const std::string &setting)
-      : setting(setting), source("--set " + setting)
-    {}
-
-    Override(const char *setting) : Override(std::string(setting))
-    {}
-
-    /** The setting from another source than the command line.
-     * @param source its name in error messages. */
-    Override(const std::string &setting, const std::string &source)
-      : setting(setting), source(source)
-    {}
-
-    std::string setting;
-    std::string source;
-  };
-
-
-  /** A setting as the text of a parameter file. Throws InputError if it does
-   * not have the form "Section/Entry=value" in a single line. */
-  std::string
-  override_text(const Override &given);
 
 
   /**

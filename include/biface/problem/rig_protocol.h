@@ -57,10 +57,7 @@ namespace Biface
 
     /** The number of the stage from whose end the test starts. */
     unsigned int
-    number_of_start(const std::vector<Stage> &stages) const
-    {
-      return start_from == 0 ? stages.size() : start_from;
-    }
+    number_of_start(const std::vector<Stage> &stages) const;
 
     void
     add_parameters(EntryDeclarations &prm);
@@ -78,6 +75,12 @@ namespace Biface
     unsigned int
     append_to(std::vector<Stage> &stages) const;
   };
+
+
+  /** What the points of a tire test ask for, one for each of the stages from
+   * that of the first point on. */
+  std::vector<RigTarget>
+  rig_targets(const std::vector<Stage> &stages, const unsigned int first_point);
 } // namespace Biface
 
 #endif

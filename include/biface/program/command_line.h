@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <biface/problem/parameters.h>
+#include <biface/problem/override.h>
 
 namespace Biface
 {

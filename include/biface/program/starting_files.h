@@ -3,10 +3,12 @@
 #ifndef biface_program_starting_files_h
 #define biface_program_starting_files_h
 
+#include <mpi.h>
+
 #include <string>
 #include <vector>
 
-#include <biface/problem/parameters.h>
+#include <biface/problem/override.h>
 
 namespace Biface
 {

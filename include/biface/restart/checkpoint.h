@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include <biface/input/pairs_file.h>
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/output/results_writer.h>
 #include <biface/output/rig_table.h>
@@ -32,7 +33,7 @@ namespace Biface
     /** The stages of the run. */
     std::vector<Stage> stages;
     /** The pairs in other files that were read, by entry. */
-    std::map<std::string, std::vector<dealii::Point<2>>> files;
+    PairsByEntry files;
 
     /** The differences of entries by which derivatives are taken, see
      * SensitivityParameters. */

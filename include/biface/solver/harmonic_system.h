@@ -16,7 +16,6 @@
 
 #include <biface/base/linear_algebra.h>
 #include <biface/model/air/air_column.h>
-#include <biface/model/state/damping_in_time.h>
 #include <biface/model/state/state.h>
 
 namespace Biface
@@ -66,7 +65,7 @@ namespace Biface
     /** The loss factor @f$\eta@f$ of the whole tangent. */
     double loss_factor = 0;
     /** DampingInTime::of_mass and DampingInTime::of_stiffness. */
-    DampingInTime damping;
+    double damping_of_mass = 0, damping_of_stiffness = 0;
     /** The temperature of plies that relax, see TimeStep. */
     double temperature = 0;
   };

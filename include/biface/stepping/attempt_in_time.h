@@ -5,13 +5,13 @@
 
 #include <memory>
 
-#include <biface/model/forces/nodal_forces.h>
 #include <biface/model/time/energy_of_motion.h>
 #include <biface/stepping/attempt.h>
 
 namespace Biface
 {
   struct ControlTrial;
+  class NodalForces;
   struct StepInTime;
 
 

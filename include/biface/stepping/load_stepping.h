@@ -27,6 +27,7 @@ namespace Biface
 {
   struct ControlTrial;
   class EntryDeclarations;
+  class NodalForces;
   class RollingHeat;
   class ShellEquations;
   struct Stage;

@@ -67,9 +67,10 @@ namespace Biface
     at(const Instant &instant) const;
 
     /** The unloaded state of the coarser mesh; not set without one. */
-    std::optional<GridState>     undeformed;
-    std::vector<Stage>           stages;
-    std::map<Instant, GridState> states;
+    std::optional<GridState> undeformed;
+    /** The stages from whose ends others start, see continued_stages(). */
+    std::vector<std::optional<unsigned int>> continued;
+    std::map<Instant, GridState>             states;
   };
 } // namespace Biface
 

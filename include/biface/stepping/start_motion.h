@@ -4,11 +4,15 @@
 #define biface_stepping_start_motion_h
 
 #include <string>
+#include <vector>
+
+#include <biface/base/linear_algebra.h>
 
 namespace Biface
 {
+  class Formula;
+  struct Loads;
   class ShellEquations;
-  struct StageMotion;
   struct State;
 
 
@@ -39,13 +43,14 @@ namespace Biface
    * that the stage gives or, without them, those that the state has, if any.
    * Supports that move have their velocity at once. Throws InputError
    * on all ranks if a formula has no value at a node.
+   * @param initial_velocity see StageMotion.
    * @param section that of the stage. */
   void
-  start_motion(const ShellEquations    &equations,
-               const StageMotion       &stage,
-               const std::string       &section,
-               const LoadsOfStepInTime &first,
-               State                   &state);
+  start_motion(const ShellEquations       &equations,
+               const std::vector<Formula> &initial_velocity,
+               const std::string          &section,
+               const LoadsOfStepInTime    &first,
+               State                      &state);
 } // namespace Biface
 
 #endif

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include <biface/model/contact/contact_summary.h>
-#include <biface/model/forces/nodal_forces.h>
 #include <biface/model/heat/heat_of_plies.h>
 #include <biface/model/quantities/footprint.h>
 #include <biface/model/quantities/forces_on_shell.h>
@@ -27,6 +26,8 @@ namespace Biface
   struct Buckling;
   struct CriticalPoint;
   struct FrequencyResponse;
+  struct Loads;
+  class NodalForces;
   struct SensitivityTable;
   struct VibrationModes;
 

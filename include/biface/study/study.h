@@ -12,7 +12,7 @@
 #include <vector>
 
 #include <biface/analysis/exit_code.h>
-#include <biface/problem/parameters.h>
+#include <biface/problem/override.h>
 
 namespace Biface
 {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <biface/problem/parameters.h>
+#include <biface/problem/override.h>
 #include <biface/study/sampling.h>
 
 namespace Biface

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include <biface/contact/body_parameters.h>
 #include <biface/model/contact/approach.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>

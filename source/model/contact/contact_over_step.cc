@@ -7,6 +7,7 @@
 #include <limits>
 
 #include <biface/contact/contact_laws.h>
+#include <biface/contact/friction.h>
 #include <biface/model/contact/contact_over_step.h>
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/state/placed_body.h>

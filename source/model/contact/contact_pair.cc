@@ -4,8 +4,11 @@
 #include <array>
 
 #include <biface/base/errors.h>
+#include <biface/contact/body_parameters.h>
 #include <biface/contact/contact_laws.h>
 #include <biface/contact/contact_laws_of_stage.h>
+#include <biface/contact/friction.h>
+#include <biface/contact/friction_parameters.h>
 #include <biface/contact/tangential_law.h>
 #include <biface/model/contact/bristle_lines.h>
 #include <biface/model/contact/contact_pair.h>
@@ -30,18 +33,19 @@ namespace Biface
     , moving_body(RigidBody(parameters.body), tread)
     , streamlines(mesh)
     , condition_parameters(parameters.condition)
-    , friction_parameters(parameters.friction)
+    , friction_parameters(
+        std::make_shared<const FrictionParameters>(parameters.friction))
   {}
 
 
   namespace
   {
-    FrictionLaw::Parameters
-    with_coefficient(FrictionLaw::Parameters    friction,
+    std::shared_ptr<const FrictionParameters>
+    with_coefficient(FrictionParameters         friction,
                      const FrictionCoefficient &coefficient)
     {
       friction.coefficient = coefficient;
-      return friction;
+      return std::make_shared<const FrictionParameters>(friction);
     }
   } // namespace
 
@@ -92,7 +96,7 @@ namespace Biface
   ContactPair::laws(const ContactLawsOfStage &of_stage, const bool rolls) const
   {
     ContactCondition::Parameters across   = condition_parameters;
-    FrictionLaw::Parameters      sideways = friction_parameters;
+    FrictionParameters           sideways = *friction_parameters;
     if (of_stage.penalty_stiffness)
       across.penalty_stiffness = of_stage.penalty_stiffness;
     if (of_stage.friction)
@@ -130,7 +134,7 @@ namespace Biface
   double
   ContactPair::tangential_stiffness(const ContactLawsOfStage &of_stage) const
   {
-    FrictionLaw::Parameters sideways = friction_parameters;
+    FrictionParameters sideways = *friction_parameters;
     if (of_stage.tangential_stiffness)
       sideways.tangential_stiffness = of_stage.tangential_stiffness;
     sideways.tangential_stiffness = tread.along(sideways.tangential_stiffness);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <biface/contact/body_motion.h>
+#include <biface/contact/body_parameters.h>
 #include <biface/model/contact/moving_body.h>
 #include <biface/model/state/load_rates.h>
 #include <biface/model/state/state.h>
@@ -7,6 +9,21 @@
 namespace Biface
 {
   using namespace dealii;
+
+  MovingBody::MovingBody(const BodyParameters  &other,
+                         const TreadParameters &tread)
+    : body(other.make().offset_by(tread.height.value_or(0)))
+    , tread_height(tread.height.value_or(0))
+    , other(std::make_shared<const BodyParameters>(other))
+  {}
+
+
+  bool
+  MovingBody::is_on_ground() const
+  {
+    return other && other->on_ground;
+  }
+
 
   RigidBody
   MovingBody::carried_by(const RigidBody &on_this, const double travel) const

@@ -21,7 +21,8 @@ namespace Biface
     ContactState     &zone = contact.state_of(state);
     for (unsigned int n = 0; n < contact.points.size(); ++n)
       {
-        const auto at    = over_step(contact, state, loads, n);
+        const auto at = over_step(contact, state, loads, n);
+        // in time there is no active set: what penetrates over the step touches
         zone.active[n]   = at && at->clearance < 0;
         zone.statuses[n] = ContactStatus::none;
         for (unsigned int i = 1; i < 3; ++i)

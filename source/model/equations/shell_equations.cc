@@ -12,6 +12,7 @@
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/equations/symmetry.h>
 #include <biface/model/forces/dependent_loads.h>
+#include <biface/model/forces/nodal_forces.h>
 #include <biface/model/state/loads.h>
 #include <biface/model/state/step_in_time.h>
 
@@ -280,6 +281,7 @@ namespace Biface
     std::vector<ForceTerm::Coupling> couplings;
     for (const ForceTerm *term : terms)
       term->add_couplings(state, loads, couplings);
+    // these constraints leave other entries than those of the supports
     auto result =
       std::make_unique<TangentMatrix>(mesh, constraints, couplings, of_terms());
     for (const ForceTerm::Coupling &coupling : couplings)
@@ -552,7 +554,8 @@ namespace Biface
         const Cell &cell = *element.cell;
         const auto  V    = mesh.cell_values(state.displacement, cell);
         MixedElement::NodalVector force;
-        const auto                V_0 =
+        // in a step in time, forces depend on both of its ends
+        const auto V_0 =
           (step ? mesh.cell_values(step->start.displacement, cell) : V);
         for (const ForceTerm *term : terms)
           if (acts_on(*term, element, state, loads))
@@ -612,6 +615,7 @@ namespace Biface
           ? &result[term->source()]
           : &result.of_bodies.emplace(term->other_body(), mesh.owned_vector())
                .first->second);
+    // dead forces are linear in the loads, which stand for rates here
     for (const ForceTerm *term : terms)
       term->add_dead_forces({loads.pressure, loads.factors, 0},
                             result[term->source()]);

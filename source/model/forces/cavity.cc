@@ -230,6 +230,7 @@ namespace Biface
         if (gradient)
           mesh.add_nodal_forces(cell, of_cell, *gradient);
       }
+    // cells at a fold leave gaps, without which the surface is not closed
     for (const GapAtFold &gap : gaps)
       {
         MixedElement::NodalVector of_gap;

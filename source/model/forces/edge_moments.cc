@@ -163,6 +163,7 @@ namespace Biface
                            "a part of the line lies inside the shell, where a "
                            "moment has no direction");
         for (const BoundarySegment &segment : mesh.boundary)
+          // half of it at each of its vertices
           if (segment.edge == edge)
             result.push_back({section_of(mesh, segment),
                               segment.vertices,

@@ -85,6 +85,7 @@ namespace Biface
     for (const unsigned int c : mesh.layers)
       resultants[c] = of_strips[mesh.cells[c].strip];
 
+    // formulas vary within strips: they are added at the nodes
     const auto          &given = mesh.get_layup().get_initial_resultants();
     std::vector<Formula> formulas;
     for (const InitialResultant &resultant : given)

@@ -235,6 +235,8 @@ namespace Biface
         for (const Unknown &two : unknowns(end))
           {
             const Tensor<1, 3> other = joint.gradient[two.vector] * axes(two);
+            // the angle is not linear in the unknowns, and the moment does not
+            // vanish
             const Tensor<2, 3> curved =
               transpose(axes(one)) * joint.curvature[one.vector][two.vector] *
               axes(two);

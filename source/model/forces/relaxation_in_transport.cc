@@ -232,6 +232,7 @@ namespace Biface
     const bool descends = transport_is_against_chart(*state.transport_velocity);
     const std::vector<double> of_plies = temperatures(state, strip);
     Lines                     result{{}, {}};
+    // in the order in which the material passes them
     for (unsigned int k = 0; k < n; ++k)
       result.places.push_back(descends ? n - 1 - k : k);
     for (const RelaxingStress &stress : relaxing(strip))
@@ -266,6 +267,8 @@ namespace Biface
         const unsigned int n_numbers = stress.n_internal();
         for (unsigned int row = 0; row < n_rows; ++row)
           {
+            // all places at once: each depends on what the material has passed
+            // in a whole turn
             std::vector<double> components;
             for (const unsigned int place : lines.places)
               {

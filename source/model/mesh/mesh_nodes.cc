@@ -169,6 +169,7 @@ namespace Biface
             number                     = grid.node_number(grid_index);
           }
         const auto node = by_number.find(number);
+        // the node may be one of another rank
         nodes_of_points.push_back(node != by_number.end()
                                     ? node->second
                                     : numbers::invalid_unsigned_int);

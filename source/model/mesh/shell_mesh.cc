@@ -390,6 +390,7 @@ namespace Biface
   {
     set_wall_stiffness();
     locally_relevant.compress();
+    // found once, since assemblies read vectors by these positions
     for (Cell &cell : cells)
       for (const auto dof : cell.dofs)
         cell.positions.push_back(locally_relevant.index_within_set(dof));
@@ -502,6 +503,7 @@ namespace Biface
     LA::Vector          V = owned_vector();
     GreatestDeviation   greatest;
     std::vector<double> deviations(nodes.size(), 0.);
+    // the formula may have no value at the nodes of one rank alone
     agree_on_errors(communicator, [&]() {
       for (unsigned int n = 0; n < nodes.size(); ++n)
         {

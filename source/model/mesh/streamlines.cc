@@ -29,6 +29,7 @@ namespace Biface
         const auto ahead =
           known.find(grid.node_number({{at[0], (at[1] + 1) % n_lines}}));
         if (behind != known.end() && ahead != known.end())
+          // there is a line more than nodes: the first one again, after a turn
           stencils[n] = Stencil{{{behind->second, ahead->second}},
                                 {{lines[before + 1] - lines[before],
                                   lines[at[1] + 1] - lines[at[1]]}}};

@@ -8,6 +8,7 @@
 #include <array>
 
 #include <biface/model/equations/shell_equations.h>
+#include <biface/model/forces/nodal_forces.h>
 #include <biface/model/quantities/forces_on_shell.h>
 #include <biface/model/state/load_rates.h>
 #include <biface/model/state/loads.h>

@@ -44,6 +44,7 @@ namespace Biface
         for (unsigned int v = 0; v < 4; ++v)
           if (volume(cell.geometry.vertices[v].metric,
                      displacement_gradient(cell.geometry, V, v)) < 0)
+            // the first one by number is the same on any number of ranks
             first =
               std::min(first,
                        cell.column * mesh.n_layers() +

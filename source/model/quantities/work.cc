@@ -5,6 +5,7 @@
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/contact/contact_summary.h>
+#include <biface/model/forces/nodal_forces.h>
 #include <biface/model/quantities/work.h>
 #include <biface/model/state/loads.h>
 #include <biface/model/state/placed_body.h>

@@ -11,6 +11,7 @@
 #include <biface/model/contact/settle_friction.h>
 #include <biface/model/equations/mass_matrix.h>
 #include <biface/model/equations/shell_equations.h>
+#include <biface/model/forces/nodal_forces.h>
 #include <biface/model/state/step_in_time.h>
 #include <biface/model/time/energy_of_motion.h>
 #include <biface/model/time/inertia.h>
@@ -76,6 +77,7 @@ namespace Biface
       if (node.locally_owned)
         for (unsigned int face = 0; face <= mesh.n_layers(); ++face)
           {
+            // by faces, whose positions are the lever arms
             const Tensor<1, 3> of_face = node.surface.from_frame(
               mesh.force_on_any_face(momentum, node, face));
             result.momentum += of_face;

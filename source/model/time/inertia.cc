@@ -26,6 +26,8 @@ namespace Biface
     const double      dt   = step.duration,
                  per_displacement = (2 / dt + step.damping.of_mass) / dt;
 
+    // (v_1 - v_0)/dt, with v_1 from the displacements, and the damping of the
+    // mean velocity
     MixedElement::NodalVector acceleration =
       per_displacement * (end.V - start.V) - 2 / dt * v_0;
     if (step.of_supports.size() > 0)

@@ -138,6 +138,7 @@ namespace Biface
     const int  n       = mumps->data.n;
     if (is_root)
       mumps->rhs.resize(x.size() * n);
+    // MUMPS expects right-hand sides, and leaves solutions, on the root alone
     const auto on_root = [&](const unsigned int i) {
       return is_root ? mumps->rhs.data() + i * n : nullptr;
     };

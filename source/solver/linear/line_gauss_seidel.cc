@@ -314,6 +314,7 @@ namespace Biface
           int    *local;
           A.ExtractMyRowView(nodes->rows[k], n_entries, values, local);
           double sum = 0;
+          // the columns of other ranks come after the own ones
           for (int e = 0; e < n_entries; ++e)
             if (local[e] >= n_own)
               sum += values[e] * at_columns[local[e]];

@@ -657,6 +657,7 @@ namespace Biface
       TimerOutput::Scope scope(timer, "Linear solver: factorization");
       if (const int status = factors->factorize(*matrix); status < 0)
         {
+          // its round-off makes small pivots vanish
           if (status == singular && factors->in_single_precision())
             return factorize_in_double_precision();
           return mumps_failure("factorization", status);
@@ -868,6 +869,7 @@ namespace Biface
       solved(factors->solve(make_array_view(x), make_array_view(b)));
     for (unsigned int i = 0; i < b.size() && result.success; ++i)
       {
+        // the first solution is there already; refinement needs further ones
         bool known = true;
         result     = solve_with_refinement({*matrix, LinearSystem::original},
                                        x[i],

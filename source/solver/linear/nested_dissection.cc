@@ -85,6 +85,7 @@ namespace Biface
       DynamicSparsityPattern graph(n_nodes, n_nodes);
       for (std::size_t k = 0; k < edges.size(); k += 2)
         graph.add(edges[k], edges[k + 1]);
+      // METIS wants each edge at both of its nodes
       graph.symmetrize();
 
       std::vector<idx_t> starts{0}, neighbors;

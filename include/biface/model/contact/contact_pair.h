@@ -6,13 +6,13 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
 #include <biface/contact/contact_condition_parameters.h>
-#include <biface/contact/friction_parameters.h>
 #include <biface/contact/tread.h>
 #include <biface/model/contact/contact_traction.h>
 #include <biface/model/contact/linearized_contact.h>
@@ -30,6 +30,7 @@ namespace Biface
   class ContactLaws;
   struct ContactLawsOfStage;
   struct ContactParameters;
+  struct FrictionParameters;
   struct LinearizedTraction;
   struct Loads;
   struct PointInContact;
@@ -231,8 +232,8 @@ namespace Biface
                                const TangentialLaw  &law,
                                const PointInContact &at) const;
 
-    const ContactConditionParameters condition_parameters;
-    const FrictionParameters         friction_parameters;
+    const ContactConditionParameters                condition_parameters;
+    const std::shared_ptr<const FrictionParameters> friction_parameters;
   };
 } // namespace Biface
 

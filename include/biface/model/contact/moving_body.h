@@ -4,15 +4,17 @@
 #define biface_model_contact_moving_body_h
 
 #include <functional>
-#include <optional>
+#include <memory>
 #include <vector>
 
-#include <biface/contact/body_parameters.h>
 #include <biface/contact/rigid_body.h>
 #include <biface/contact/tread.h>
 
 namespace Biface
 {
+  struct BodyParameters;
+
+
   /** The body of a ContactPair, at rest and after its motions: the ground,
    * which travels, or another body, which has motions of its own and may be on
    * the ground. */
@@ -25,11 +27,7 @@ namespace Biface
     {}
 
     /** Another body, behind the tread if it touches it. */
-    MovingBody(const BodyParameters &other, const TreadParameters &tread)
-      : body(other.make().offset_by(tread.height.value_or(0)))
-      , tread_height(tread.height.value_or(0))
-      , other(other)
-    {}
+    MovingBody(const BodyParameters &other, const TreadParameters &tread);
 
     const RigidBody &
     at_rest() const
@@ -46,10 +44,7 @@ namespace Biface
 
     /** Whether the body is not the ground, but moves with it. */
     bool
-    is_on_ground() const
-    {
-      return other && other->on_ground;
-    }
+    is_on_ground() const;
 
     /** Another body that is on this one, the ground, after its travel. */
     RigidBody
@@ -64,9 +59,10 @@ namespace Biface
       const std::function<RigidBody(const RigidBody &)> &with_ground) const;
 
   private:
-    RigidBody                     body;
-    double                        tread_height;
-    std::optional<BodyParameters> other;
+    RigidBody body;
+    double    tread_height;
+    /** The parameters of another body; null for the ground. */
+    std::shared_ptr<const BodyParameters> other;
   };
 } // namespace Biface
 

@@ -13,11 +13,13 @@
 #include <biface/model/equations/tangent_matrix.h>
 #include <biface/model/forces/force_term.h>
 #include <biface/model/forces/internal_forces.h>
-#include <biface/model/forces/nodal_forces.h>
 #include <biface/model/mesh/shell_mesh.h>
 
 namespace Biface
 {
+  class NodalForces;
+
+
   /**
    * The discrete equilibrium equations of the shell: the sum of its forces,
    * each kind a ForceTerm.

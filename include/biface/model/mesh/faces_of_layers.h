@@ -19,7 +19,7 @@ namespace Biface
   /** The wall of a shell at a place. */
   struct WallAtPlace
   {
-    /** See Layup::layers(). */
+    /** Lay up the plies at a place, see Layup::layers(). */
     WallAtPlace(const Layup &layup, const PlyPlace &place, const double within);
 
     Laminate                             wall;

@@ -581,7 +581,8 @@ namespace Biface
     unsigned int n_all_folds = 0;
     /** Where the strips are; null if there are lines. */
     std::shared_ptr<const PlacesOfStrips> places_of_strips;
-    /** See wall_stiffness() and wall_stiffness_sideways(). */
+    /** The values of wall_stiffness() and wall_stiffness_sideways(). Unit:
+     * pressure/length. */
     double lowest_stiffness = 0, lowest_stiffness_sideways = 0;
     std::shared_ptr<const dealii::parallel::TriangulationBase<2, 3>>
                                                     triangulation;

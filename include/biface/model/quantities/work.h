@@ -3,11 +3,12 @@
 #ifndef biface_model_quantities_work_h
 #define biface_model_quantities_work_h
 
-#include <biface/model/forces/nodal_forces.h>
-
 namespace Biface
 {
   class ContactInteraction;
+  struct Loads;
+  class NodalForces;
+  struct State;
 
 
   /** Work done on the shell. Unit: force times length. */

@@ -11,6 +11,7 @@ namespace Biface
 {
   class ContactInteraction;
   struct Loads;
+  class NodalForces;
   class ShellEquations;
   struct State;
 
