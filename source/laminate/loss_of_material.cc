@@ -3,6 +3,7 @@
 #include <memory>
 
 #include <biface/laminate/cord_law.h>
+#include <biface/laminate/laminate.h>
 #include <biface/laminate/loss_of_material.h>
 #include <biface/laminate/material_law.h>
 

@@ -12,6 +12,7 @@
 #include <biface/model/mesh/strip.h>
 #include <biface/output/failure_maxima.h>
 #include <biface/output/ply_results.h>
+#include <biface/output/requested_criteria.h>
 #include <biface/output/result_file.h>
 #include <biface/surface/reference_surface.h>
 

@@ -15,6 +15,7 @@
 #include <biface/output/csv.h>
 #include <biface/output/fiber_tension.h>
 #include <biface/output/plies_file.h>
+#include <biface/output/ply_results.h>
 #include <biface/stepping/step_report.h>
 
 namespace Biface

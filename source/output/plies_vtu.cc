@@ -8,6 +8,7 @@
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/mesh/strip.h>
 #include <biface/output/plies_vtu.h>
+#include <biface/output/ply_results.h>
 #include <biface/stepping/step_report.h>
 
 namespace Biface

@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include <biface/laminate/laminate.h>
-
 namespace Biface
 {
+  class Laminate;
+
   /** The energy that plies of a material lose in harmonic vibrations: their
    * moduli are complex multiples of those of the elastic law, which for
    * stresses that relax are the instantaneous ones. */

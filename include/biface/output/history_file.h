@@ -10,7 +10,7 @@
 
 #include <biface/model/forces/cavity.h>
 #include <biface/output/failure_maxima.h>
-#include <biface/output/ply_results.h>
+#include <biface/output/requested_criteria.h>
 #include <biface/output/result_file.h>
 
 namespace Biface

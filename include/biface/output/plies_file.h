@@ -3,7 +3,7 @@
 #ifndef biface_output_plies_file_h
 #define biface_output_plies_file_h
 
-#include <biface/output/ply_results.h>
+#include <biface/output/requested_criteria.h>
 #include <biface/output/result_file.h>
 
 namespace Biface

@@ -3,7 +3,7 @@
 #ifndef biface_output_plies_vtu_h
 #define biface_output_plies_vtu_h
 
-#include <biface/output/ply_results.h>
+#include <biface/output/requested_criteria.h>
 #include <biface/output/vtu_series.h>
 
 namespace Biface

@@ -11,7 +11,7 @@
 
 #include <biface/model/forces/cavity.h>
 #include <biface/output/history_file.h>
-#include <biface/output/ply_results.h>
+#include <biface/output/requested_criteria.h>
 #include <biface/stepping/step_report.h>
 
 namespace Biface

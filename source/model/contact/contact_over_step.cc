@@ -101,7 +101,7 @@ namespace Biface
       result.normal += missing / motion.norm_square() * motion;
     result.friction =
       friction_over_step(contact,
-                         state,
+                         contact.state_of(step.start),
                          loads,
                          point,
                          x_1,

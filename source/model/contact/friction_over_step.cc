@@ -7,7 +7,6 @@
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/contact/friction_over_step.h>
 #include <biface/model/state/placed_body.h>
-#include <biface/model/state/step_in_time.h>
 
 namespace Biface
 {
@@ -43,7 +42,7 @@ namespace Biface
 
   std::optional<FrictionOverStep>
   friction_over_step(const ContactPair  &contact,
-                     const State        &state,
+                     const ContactState &before,
                      const Loads        &loads,
                      const unsigned int  point,
                      const Point<3>     &x,
@@ -53,11 +52,10 @@ namespace Biface
   {
     if (!contact.has_friction(loads))
       return {};
-    const PlacedBody   &body   = *contact.body(loads);
-    const FrictionLaw  &law    = body.laws.friction();
-    const ContactState &before = contact.state_of(state.step->start);
-    const bool          stuck  = before.statuses[point] != ContactStatus::none;
-    FrictionOverStep    result;
+    const PlacedBody  &body  = *contact.body(loads);
+    const FrictionLaw &law   = body.laws.friction();
+    const bool         stuck = before.statuses[point] != ContactStatus::none;
+    FrictionOverStep   result;
     result.x      = x;
     result.normal = normal;
     // a point that comes sticks where it touches, whose friction in an impact

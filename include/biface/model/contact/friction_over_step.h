@@ -16,7 +16,6 @@ namespace Biface
   class ContactPair;
   struct LinearizedTraction;
   struct Loads;
-  struct State;
 
 
   /** How a body holds a point sideways over a StepInTime: friction at the place
@@ -58,6 +57,7 @@ namespace Biface
 
 
   /** The friction of a point; nothing if the body has none.
+   * @param before the contact at the start of the step.
    * @param x the place at the end of the step.
    * @param touching where a point that comes has touched the body, or has been
    * at the start.
@@ -65,7 +65,7 @@ namespace Biface
    * @param pressure that over the step. Unit: force/area. */
   std::optional<FrictionOverStep>
   friction_over_step(const ContactPair          &contact,
-                     const State                &state,
+                     const ContactState         &before,
                      const Loads                &loads,
                      const unsigned int          point,
                      const dealii::Point<3>     &x,
