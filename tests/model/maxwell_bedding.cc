@@ -6,6 +6,7 @@
 
 #include <biface/laminate/layup.h>
 #include <biface/model/forces/force_term.h>
+#include <biface/model/forces/nodal_forces.h>
 #include <biface/model/forces/pressure_load.h>
 #include <biface/model/state/loads.h>
 
