@@ -62,6 +62,8 @@ end
   `Physical Surface` or an `*ELSET`). Where groups meet, their walls share the
   displacements of the director, as where a ply ends on other shells, and contact sees the mean of their faces. Plies of all groups
   stand in one list, by which `Layers` and `Initial ply stresses` count them.
+- **Plies that vary**: thickness, angle and initial stress may be formulas of `x`, `y`, `z`, such as `cord: 2-0.01*x @ 30`:
+  a node has the thickness of its place, and a cell the stiffness of its center.
 - **Normals** are the means of the cells around a node. Edges with `symmetry x`, `symmetry y` or `symmetry z` keep
   their normals in the plane of symmetry.
 - **Folds**: cells that meet at more than `Fold angle`, 20 degrees, belong to different parts of the shell, which are
