@@ -15,8 +15,8 @@ case ${1-} in
   "") ;;
   report) packages="$packages $report" ;;
   tests) packages="$packages $report chromium chromium-driver numdiff clang
-    clang-format-14 doxygen lld python3-pandas texlive-binaries
-    valgrind" ;;
+    clang-format-14 doxygen lld python3-pandas python3-pip python3-setuptools
+    python3-wheel texlive-binaries valgrind" ;;
   *)
     echo "Usage: doc/install.sh [report | tests]" >&2
     exit 1

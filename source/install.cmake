@@ -45,7 +45,7 @@ install(FILES README.md CHANGELOG.md CITATION.cff LICENSE
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY doc/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/doc
   FILES_MATCHING PATTERN *.md PATTERN *.png PATTERN *.bib
-  PATTERN paraview/biface.py PATTERN python/tutorial.py
+  PATTERN paraview/biface.py PATTERN python/tutorial.py PATTERN python/designs.ipynb
   PATTERN real_tires.py PATTERN radial_tire.py PATTERN bottoming.csv
       PATTERN measured_tires.py PATTERN relaxation.py PATTERN *.tir PATTERN example_page.py
   PATTERN parameters EXCLUDE PATTERN performance EXCLUDE)

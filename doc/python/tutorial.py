@@ -10,13 +10,14 @@
 # Visual Studio Code and Spyder run one by one. Start it in the root of the checkout; it
 # takes about a minute on two cores.
 #
-# From the Debian package, `import biface` works at once; otherwise tell Python where the
-# package is:
+# From the Debian package, `import biface` works at once in Debian's Python; in any other,
+# also of a virtual environment, install the packages:
 #
-#     export PYTHONPATH=$PWD/source/python
+#     pip install source/python
 #
-# It needs NumPy, and this tutorial also matplotlib, SciPy and pandas (Debian:
-# `python3-matplotlib`, `python3-scipy`, `python3-pandas`). The program is the one in
+# or tell Python where they are: `export PYTHONPATH=$PWD/source/python`. They need NumPy,
+# and this tutorial also matplotlib, SciPy and pandas (Debian: `python3-matplotlib`,
+# `python3-scipy`, `python3-pandas`). The program is the one in
 # `build/`, the one installed with the package, or the one on the `PATH`; the environment
 # variable `BIFACE` names another. `help(biface)` lists what the package has.
 #
@@ -55,8 +56,9 @@ results.history.to_pandas()[columns].round(3)
 # %% [markdown]
 # The other files are methods: `contact()`, `profile()` and `plies()` of a step, `forces()`,
 # `probes()`, `stiffness()`, `modes()`, `rolling()` and so on of all steps, `vtu()` for what
-# ParaView shows. A table has `where` to choose rows, and `row` and `rows` for one or all
-# of them. `response()` has complex columns `x`, `y` and `z` in place of the real and
+# ParaView shows. `support_motions` names the columns of supports that move, such as
+# `alpha_1_max_force`. A table has `where` to choose rows, and `row` and `rows` for one or all
+# of them; notebooks show its first and last rows. `response()` has complex columns `x`, `y` and `z` in place of the real and
 # imaginary ones of its file: `response().where(excitation="ground z", output="foundation")`
 # are the forces of the ground over `["frequency"]`.
 
@@ -196,8 +198,11 @@ for name, point in (("start", start), ("found", found.x * start)):
 print(len(model.runs), "runs")
 
 # %% [markdown]
-# The angle ends at its bound. [design.md](design.md) has a larger example. The remaining
-# functions:
+# The angle ends at its bound. `model.map(points, at_once=2)` runs several points, two at the
+# same time, and returns their table; `progress=True` prints a line for each point.
+# [python/designs.ipynb](python/designs.ipynb) is a notebook with both: thirty designs at
+# random, the best one, and the way to a better one. [design.md](design.md) has a larger
+# example. The remaining functions:
 #
 # - `biface.Results("output")` reads the results of any run, `biface.Study("study")` those
 #   of a study, and `biface.run_study` runs a study file.

@@ -34,7 +34,8 @@ namespace Biface
                            const PlyPlace &place,
                            const double    within)
     : wall(layup.laminate(place, within))
-    , layers(layup.layers(place, within))
+    , layers(layup.n_layers() > 1 ? layup.layers(place, within)
+                                  : std::vector<std::optional<Laminate>>{wall})
     , heights(heights_of_faces(wall.face_heights(), layers))
   {}
 

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import html
 import os
 from pathlib import Path
 
@@ -13,6 +14,9 @@ from .errors import BifaceError
 # Columns of numbers that may be NaN
 UNDEFINED = ("logarithmic_derivative", "x_real", "x_imaginary", "y_real", "y_imaginary",
              "z_real", "z_imaginary")
+
+# Rows at each end of a table that notebooks show
+ROWS_AT_ENDS = 5
 
 # Columns of text
 WORDS = ("stage", "name", "face", "material", "body", "motion", "kind", "located",
@@ -36,6 +40,25 @@ class Table(dict):
 
     def __repr__(self):
         return f"<Table of {self.n_rows} rows: {', '.join(self)}>"
+
+    def _repr_html_(self) -> str:
+        """The table as notebooks show it: its first and last rows."""
+        shown = range(self.n_rows)
+        if self.n_rows > 2 * ROWS_AT_ENDS + 1:
+            shown = [*shown[:ROWS_AT_ENDS], None, *shown[-ROWS_AT_ENDS:]]
+
+        def line(tag, cells):
+            return "<tr>" + "".join(f"<{tag}>{html.escape(cell)}</{tag}>"
+                                    for cell in cells) + "</tr>"
+
+        def text(value):
+            return value if isinstance(value, str) else f"{value:.6g}"
+
+        lines = [line("th", self)] + [
+            line("td", ["…" for _ in self] if i is None else
+                 [text(column[i]) for column in self.values()]) for i in shown]
+        return (f"<table>{''.join(lines)}</table>"
+                f"<p>{self.n_rows} rows, {len(self.keys())} columns</p>")
 
     def where(self, chosen=None, **values) -> Table:
         """The rows chosen by an array of booleans, and those with the given values in
