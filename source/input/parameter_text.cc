@@ -364,6 +364,15 @@ namespace Biface
       const auto found = glossary.find(lower);
       return found == glossary.end() ? "" : found->second;
     }
+
+
+    /** Whether 'Formulation' has taken the place of an entry or a section. */
+    bool
+    is_part_of_formulation(const std::string &name)
+    {
+      return name == "Element" || name.rfind("Element/", 0) == 0 ||
+             name == "Loads/Area of face loads" || name == "Newton/Iteration";
+    }
   } // namespace
 
 
@@ -377,6 +386,9 @@ namespace Biface
         std::find(names.begin(), names.end(), section + called) != names.end())
       return "there is no entry " + quoted(name) + "; it is called '" +
              section + called + "' here, see doc/glossary.md";
+    if (is_part_of_formulation(name))
+      return "there is no entry " + quoted(name) +
+             "; 'Formulation' chooses the element and what belongs to it";
     const bool is_declared =
       (section.empty() ||
        std::find(names.begin(), names.end(), section) != names.end());
