@@ -74,8 +74,8 @@ end
   a line or at a point of a fold are those of the part of its first cell in the file; the displacement of the reference surface is
   the same for all of them. See
   [theory.md](theory.md#folds-and-joints).
-- **Elements** are those of `Formulation = standard` ([theory.md](theory.md#elements-that-know-a-rigid-motion)),
-  whatever these entries say.
+- **Elements** are those of `Formulation = standard` ([theory.md](theory.md#elements-that-know-a-rigid-motion)):
+  other values are refused.
 
 The nodes must lie on the surface within a tenth of the thickness: a plate whose nodes are off its plane by 0.3 of its
 thickness is 7 % softer, as a crumpled plate is. The mesh itself is the surface: where cells turn by an angle
