@@ -106,23 +106,30 @@ namespace Biface
   }
 
 
+  namespace
+  {
+    unsigned int
+    fewest(const std::vector<Stage> &stages, unsigned int Stage::*const number)
+    {
+      unsigned int result = numbers::invalid_unsigned_int;
+      for (const Stage &stage : stages)
+        result = std::min(result, stage.*number);
+      return result;
+    }
+  } // namespace
+
+
   unsigned int
   fewest_modes(const std::vector<Stage> &stages)
   {
-    unsigned int fewest = numbers::invalid_unsigned_int;
-    for (const Stage &stage : stages)
-      fewest = std::min(fewest, stage.n_modes);
-    return fewest;
+    return fewest(stages, &Stage::n_modes);
   }
 
 
   unsigned int
   fewest_buckling_loads(const std::vector<Stage> &stages)
   {
-    unsigned int fewest = numbers::invalid_unsigned_int;
-    for (const Stage &stage : stages)
-      fewest = std::min(fewest, stage.n_buckling);
-    return fewest;
+    return fewest(stages, &Stage::n_buckling);
   }
 
 

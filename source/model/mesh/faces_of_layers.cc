@@ -93,11 +93,12 @@ namespace Biface
 
 
   unsigned int
-  n_elements_of(const std::vector<unsigned int> &layers)
+  n_elements_of(const std::vector<std::optional<Laminate>> &layers)
   {
-    return (layers.size() > 1 ? 1 : 0) + layers.size() -
-           std::count(
-             layers.begin(), layers.end(), numbers::invalid_unsigned_int);
+    return (layers.size() > 1 ? 1 : 0) +
+           std::count_if(layers.begin(), layers.end(), [](const auto &layer) {
+             return layer.has_value();
+           });
   }
 
 

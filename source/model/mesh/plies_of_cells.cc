@@ -101,7 +101,7 @@ namespace Biface
     const std::vector<Layup> layups = layups_of(sets, layup);
     const auto               add    = [&](const WallAtPlace &at) {
       max_thickness = std::max(max_thickness, at.wall.thickness());
-      Wall result{at.heights, {}};
+      Wall result{at.heights, n_elements_of(at.layers), {}};
       for (const std::optional<Laminate> &layer : at.layers)
         result.stiffness.push_back(layer ? layer->membrane_stiffness() : 0.);
       return result;
@@ -148,10 +148,7 @@ namespace Biface
   unsigned int
   PliesOfCells::n_elements(const unsigned int cell) const
   {
-    const std::vector<double> &stiffness =
-      wall(set_of_cells[cell], mesh.cells[cell][0]).stiffness;
-    return (stiffness.size() > 1 ? 1 : 0) + stiffness.size() -
-           std::count(stiffness.begin(), stiffness.end(), 0.);
+    return wall(set_of_cells[cell], mesh.cells[cell][0]).n_elements;
   }
 
 

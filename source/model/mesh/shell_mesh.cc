@@ -268,7 +268,8 @@ namespace Biface
       {
         layers.push_back(
           append_layers(i, walls[i].inside, walls[i].at_vertices, strips));
-        n_elements.push_back(n_elements.back() + n_elements_of(layers[i]));
+        n_elements.push_back(n_elements.back() +
+                             n_elements_of(walls[i].inside.layers));
       }
 
     // where a ply ends, a node has the mean heights of both sides

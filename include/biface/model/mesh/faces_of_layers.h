@@ -53,10 +53,10 @@ namespace Biface
                 const WallsAtVertices &at_vertices,
                 std::vector<Strip>    &strips);
 
-  /** The number of elements of a cell with these layers, see append_layers():
-   * the wall and, if there are several, those that exist. */
+  /** The number of elements of a cell with these layers: the wall and, if there
+   * are several, those that exist. */
   unsigned int
-  n_elements_of(const std::vector<unsigned int> &layers);
+  n_elements_of(const std::vector<std::optional<Laminate>> &layers);
 
   /** The layer that goes on at its own height where plies end, so that stiff
    * layers stay connected whatever a soft one does, section 4 of doc/theory.md:

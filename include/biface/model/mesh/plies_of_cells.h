@@ -92,6 +92,7 @@ namespace Biface
     struct Wall
     {
       std::vector<double> heights;
+      unsigned int        n_elements;
       /** The membrane stiffness of the layers, 0 of those that do not exist.
        * Unit: force/length. */
       std::vector<double> stiffness;
