@@ -18,6 +18,7 @@
 #include "../irregular_mesh.h"
 #include "../run_analysis.h"
 #include "../tests.h"
+#include "displacement_of_point.h"
 
 using namespace dealii;
 using namespace Biface;
@@ -65,24 +66,7 @@ namespace
   Tensor<1, 3>
   displacement(const std::string &point, const std::vector<Override> &overrides)
   {
-    Tensor<1, 3> result;
-    run_analysis("plate.prm",
-                 overrides,
-                 [&](const ShellEquations &equations,
-                     const StepReport &,
-                     const State &state) {
-                   const ShellMesh   &mesh = equations.mesh;
-                   const unsigned int n    = mesh.node_of_point("test", point);
-                   Tensor<1, 3>       u;
-                   if (n < mesh.nodes.size() && mesh.nodes[n].locally_owned)
-                     for (const unsigned int face : {0, 1})
-                       u += mesh.nodes[n].surface.from_frame(mesh.displacement(
-                              state.displacement, mesh.nodes[n], face)) /
-                            2;
-                   for (unsigned int d = 0; d < 3; ++d)
-                     result[d] = Utilities::MPI::sum(u[d], MPI_COMM_WORLD);
-                 });
-    return result;
+    return displacement_of_point("plate.prm", point, overrides);
   }
 
 
