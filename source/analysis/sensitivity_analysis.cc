@@ -977,8 +977,11 @@ namespace Biface
                   perturbed.reactions(perturbed.state, progress.reached));
               }
             if (report.modes && results.have_frequency())
-              changed.modes =
-                change_modes(*report.modes, perturbed, *changed.loads);
+              changed.modes = change_modes(*report.modes,
+                                           run.state,
+                                           *report.loads,
+                                           perturbed,
+                                           *changed.loads);
             if (report.buckling && results.have_buckling())
               changed.buckling =
                 change_buckling(*report.buckling, perturbed, *changed.loads);
@@ -1015,18 +1018,45 @@ namespace Biface
 
   std::shared_ptr<const VibrationModes>
   SensitivityAnalysis::change_modes(const VibrationModes &modes,
+                                    const State          &state,
+                                    const Loads          &loads,
                                     PerturbedRun         &perturbed,
-                                    const Loads          &loads)
+                                    const Loads          &changed_loads)
   {
-    auto       changed = std::make_shared<VibrationModes>(modes);
-    const auto omegas  = omegas_for_shapes(perturbed.model.equations,
-                                          perturbed.model.contact,
-                                          timer,
-                                          perturbed.state,
-                                          loads,
-                                          modes);
-    for (unsigned int m = 0; m < omegas.size(); ++m)
-      changed->modes[m].omega = omegas[m];
+    const auto squares = [&](ShellModel       &of,
+                             State             at,
+                             const LA::Vector &displacement,
+                             const Loads      &under) {
+      at.displacement = displacement;
+      of.equations.internal_forces().settle_resultants(at);
+      std::vector<std::complex<double>> result =
+        omegas_for_shapes(of.equations, of.contact, timer, at, under, modes);
+      for (std::complex<double> &omega : result)
+        omega *= omega;
+      return result;
+    };
+    // the shapes of a thin shell that turns do not turn with it, which stiffens
+    // them by the square of its motion: it is the same on either side, unless
+    // the entry changes, too
+    const LA::Vector here   = owned_part(state.displacement),
+                     motion = change(state, perturbed.state);
+    LA::Vector above = here, below = here;
+    above += motion;
+    below -= motion;
+    const auto squares_above = squares(model, state, above, loads),
+               squares_below = squares(model, state, below, loads),
+               squares_here =
+                 squares(perturbed.model, perturbed.state, here, changed_loads);
+
+    auto changed = std::make_shared<VibrationModes>(modes);
+    for (unsigned int m = 0; m < squares_here.size(); ++m)
+      {
+        // the square is smooth, also where it is much smaller than its change
+        std::complex<double> &omega = changed->modes[m].omega;
+        omega += (squares_here[m] - omega * omega +
+                  (squares_above[m] - squares_below[m]) / 2.) /
+                 (2. * omega);
+      }
     return changed;
   }
 

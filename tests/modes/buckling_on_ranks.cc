@@ -26,7 +26,7 @@ namespace
       {
         if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
           continue;
-        std::cout << report.stage << ":" << std::setprecision(7);
+        std::cout << report.stage << ":" << std::setprecision(6);
         if (!report.buckling)
           std::cout << " none";
         else

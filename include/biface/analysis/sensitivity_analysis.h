@@ -200,11 +200,15 @@ namespace Biface
     void
     leave_unsettled(const Step &step, const unsigned int entry);
 
-    /** The modes of the run with the frequencies of a perturbed run. */
+    /** The modes of the run with the frequencies of a perturbed run, to first
+     * order in what changes.
+     * @param state, loads those of the run. */
     std::shared_ptr<const VibrationModes>
     change_modes(const VibrationModes &modes,
+                 const State          &state,
+                 const Loads          &loads,
                  PerturbedRun         &perturbed,
-                 const Loads          &loads);
+                 const Loads          &changed_loads);
 
     /** The buckling shapes of the run with the critical loads of a perturbed
      * run. */

@@ -39,15 +39,16 @@ namespace Biface
   PressureLoad::add_parameters(EntryDeclarations &prm)
   {
     // only how the pressure acts: its value belongs to the stages
-    add_choice(prm,
-               "Pressure type",
-               kind,
-               {"dead", "follower"},
-               "The type of the pressure of the stages: 'dead' (it keeps its "
-               "initial direction and acts on the undeformed area, see 'Area "
-               "of face loads') or 'follower' (true pressure on the deformed "
-               "face; at an edge that is free to move the tangent is not "
-               "symmetric).");
+    add_choice(
+      prm,
+      "Pressure type",
+      kind,
+      {"dead", "follower"},
+      "The type of the pressure of the stages: 'dead' (it keeps its "
+      "initial direction and acts on the undeformed area of the face, "
+      "with 'Formulation = paper' of the middle surface) or 'follower' "
+      "(true pressure on the deformed face; at an edge that is free to "
+      "move the tangent is not symmetric).");
     add_choice(prm,
                "Pressure face",
                face,
