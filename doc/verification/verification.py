@@ -324,8 +324,8 @@ REMARKS = {
         "coarsest mesh it has already snapped at load factor 0.5, on the others "
         "and in the reference it has not.",
     "pagano_4":
-        "**The law of the paper, which is the default, is too stiff in transverse "
-        "shear for so thick a laminate.** "
+        "**The law of the paper, the default of laminates, is too stiff in transverse "
+        "shear for so thick a one.** "
         "Displacements are linear from face to face, so that all plies have the "
         "same transverse shear strain. In reality it is larger in the 90 degree "
         "ply, whose shear modulus is 2.5 times smaller, and varies within the "

@@ -345,7 +345,7 @@ namespace Biface
     result.in_use.iterative_solver = parameters.linear_solver.is_iterative();
     if (result.worst)
       result.worst->gradient_factor =
-        parameters.laminate.shear_law_of_layers().gradient_factor;
+        model.mesh->get_layup().get_shear_law().gradient_factor;
     return result;
   }
 } // namespace Biface

@@ -150,7 +150,7 @@ namespace Biface
                "paper').");
     add_parsed(prm,
                "Transverse shear",
-               "constant strain",
+               "automatic",
                shear_law,
                parse_transverse_shear,
                "How the transverse shear strains of the faces enter the "
@@ -160,7 +160,9 @@ namespace Biface
                "equilibrium with the bending stresses of the plies; 5/6 of "
                "'constant strain' for a homogeneous shell), or a factor, a "
                "number or formula above 0 and at most 1 such as 5/6, by which "
-               "'constant strain' is multiplied.");
+               "'constant strain' is multiplied. 'automatic': 'equilibrium' "
+               "in a wall of one isotropic material with 'Formulation = "
+               "standard' and one of 'Layers', 'constant strain' otherwise.");
     add_parsed(prm,
                "Gradient factor",
                "by layers",
@@ -208,6 +210,21 @@ namespace Biface
                "ply N, counted from the inner face), or its distance "
                "from the inner face.",
                Unit("length"));
+  }
+
+
+  TransverseShearLaw
+  Layup::Parameters::shear_law_of_layers(const bool homogeneous) const
+  {
+    using Kind                 = TransverseShearLaw::Kind;
+    const bool         layered = n_layers() > 1;
+    TransverseShearLaw result;
+    if (shear_law)
+      result = *shear_law;
+    else if (of_standard_element && !layered && homogeneous)
+      result.kind = Kind::equilibrium;
+    result.gradient_factor = gradient_factor.value_or(layered ? 8 : 1);
+    return result;
   }
 
 
@@ -296,7 +313,7 @@ namespace Biface
                        std::to_string(max_layers) + " are allowed.");
     if (n_layers == 1)
       return;
-    if (shear_law.kind == TransverseShearLaw::Kind::factor)
+    if (shear_law && shear_law->kind == TransverseShearLaw::Kind::factor)
       throw InputError(
         "the entry 'Laminate/Transverse shear' must be 'constant strain' or "
         "'equilibrium' with several layers ('Laminate/Layers'): the deflection "
@@ -478,7 +495,6 @@ namespace Biface
                const SurfaceOfPlies                  &surface)
     : sides_of_layers(parameters.layers.sides(parameters.plies.size()))
     , law(parameters.law)
-    , shear_law(parameters.shear_law_of_layers())
     , curvature(parameters.integrals == ThicknessIntegrals::shell
                   ? surface.curvature
                   : nullptr)
@@ -504,6 +520,13 @@ namespace Biface
           plies.back().varies =
             plies.back().varies || !stress.used_names().empty();
       }
+    const auto is_of_same = [&](const PlyParameters &ply) {
+      return ply.material == parameters.plies[0].material &&
+             find_material(materials, ply.material).type ==
+               MaterialParameters::Type::isotropic;
+    };
+    shear_law = parameters.shear_law_of_layers(std::all_of(
+      parameters.plies.begin(), parameters.plies.end(), is_of_same));
   }
 
 

@@ -36,23 +36,26 @@ namespace Biface
   } // namespace
 
 
-  TransverseShearLaw
+  std::optional<TransverseShearLaw>
   parse_transverse_shear(const std::string &entry, const std::string &text)
   {
     using Kind = TransverseShearLaw::Kind;
+    if (text == "automatic")
+      return {};
     if (text == "constant strain")
-      return {Kind::constant_strain, 1};
+      return TransverseShearLaw{Kind::constant_strain, 1};
     if (text == "equilibrium")
-      return {Kind::equilibrium, 1};
+      return TransverseShearLaw{Kind::equilibrium, 1};
 
-    const InputError error(entry,
-                           text,
-                           "it must be 'constant strain', 'equilibrium' or a "
-                           "factor above 0 and at most 1, such as 5/6");
-    const double     factor = number(entry, text, error);
+    const InputError error(
+      entry,
+      text,
+      "it must be 'automatic', 'constant strain', "
+      "'equilibrium' or a factor above 0 and at most 1, such as 5/6");
+    const double factor = number(entry, text, error);
     if (!(factor > 0 && factor <= 1))
       throw error;
-    return {Kind::factor, factor};
+    return TransverseShearLaw{Kind::factor, factor};
   }
 
 

@@ -445,6 +445,8 @@ namespace Biface
         if (!material.cord_and_rubber.curve.name.empty())
           material.cord_and_rubber.curve.read("stretch, force", communicator);
       parameters.read_mesh(communicator);
+      parameters.laminate.of_standard_element =
+        parameters.formulation == Formulation::standard;
       parameters.check();
       if (!parameters.surface.points_file.name.empty())
         parameters.surface.points_file.read("radius, axial coordinate",

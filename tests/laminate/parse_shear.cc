@@ -13,7 +13,7 @@ main()
 {
   using Kind      = TransverseShearLaw::Kind;
   const auto read = [](const std::string &text) {
-    return parse_transverse_shear("Laminate/Transverse shear", text);
+    return parse_transverse_shear("Laminate/Transverse shear", text).value();
   };
   check_true("constant strain",
              read("constant strain").kind == Kind::constant_strain);
@@ -23,5 +23,7 @@ main()
       check_true("factor " + text, read(text).kind == Kind::factor);
       check_small("  value", read(text).factor - 5. / 6, 1e-15);
     }
+  check_true("automatic",
+             !parse_transverse_shear("Laminate/Transverse shear", "automatic"));
   check_small("factor 1", read("1").factor - 1, 0);
 }

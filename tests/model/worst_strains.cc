@@ -71,6 +71,7 @@ namespace
     ParameterHandler prm;
     read_parameters(DATA_DIR "/plate_and_bodies.prm",
                     {"Mesh/Intervals alpha_1=0:20:40",
+                     "Laminate/Transverse shear=constant strain",
                      "Laminate/Gradient factor=" + gradient_factor},
                     MPI_COMM_WORLD,
                     parameters,

@@ -78,7 +78,7 @@ main(int argc, char *argv[])
   check_small("two half waves, open", open[1] / without_gas(2) - 1, exact);
   const auto soft = critical("sealed", 100);
   check_small("one half wave", soft[0] / with_gas(100) - 1, exact);
-  check_small("two half waves", soft[1] / open[1] - 1, 1e-8);
+  check_small("two half waves", soft[1] / open[1] - 1, 1e-7);
   const auto derivatives =
     run_analysis(DATA_DIR "/compressed_tube.prm",
                  {"Gas/Ambient pressure=100",
@@ -93,7 +93,7 @@ main(int argc, char *argv[])
                   std::log(100.1 / 99.9),
               exact);
   const auto stiff = critical("sealed", 500);
-  check_small("two half waves first", stiff[0] / open[1] - 1, 1e-8);
+  check_small("two half waves first", stiff[0] / open[1] - 1, 1e-7);
   check_small("then one", stiff[1] / with_gas(500) - 1, exact);
 
   // many shapes would buckle before this one with a softer gas

@@ -86,13 +86,15 @@ namespace Biface
       /** The resultants that are added to those of the initial stresses. */
       std::vector<InitialResultant> initial_resultants;
       ThicknessLaw                  law = ThicknessLaw::symmetric;
-      TransverseShearLaw            shear_law;
-      /** The entry TransverseShearLaw::gradient_factor; if not set, it follows
-       * from the number of layers. */
-      std::optional<double> gradient_factor;
-      ThicknessIntegrals    integrals = ThicknessIntegrals::plate;
-      ThicknessPosition     reference;
-      LayerDivision         layers;
+      /** The entries of TransverseShearLaw; if not set, they follow from
+       * the element and the number of layers, see shear_law_of_layers(). */
+      std::optional<TransverseShearLaw> shear_law;
+      std::optional<double>             gradient_factor;
+      /** Whether the element is Formulation::standard. */
+      bool               of_standard_element = false;
+      ThicknessIntegrals integrals           = ThicknessIntegrals::plate;
+      ThicknessPosition  reference;
+      LayerDivision      layers;
 
       unsigned int
       n_layers() const
@@ -100,15 +102,13 @@ namespace Biface
         return layers.sides(plies.size()).size() - 1;
       }
 
-      /** The shear law with the gradient factor. */
+      /** The shear law with the gradient factor. By default it is that of the
+       * paper, but the stresses of a wall of one layer and one isotropic
+       * material are in equilibrium, with Reissner's factor of 5/6
+       * @cite Reissner1945, except with the elements of the paper.
+       * @param homogeneous whether the wall is of such a material. */
       TransverseShearLaw
-      shear_law_of_layers() const
-      {
-        TransverseShearLaw result = shear_law;
-        result.gradient_factor =
-          gradient_factor.value_or(n_layers() > 1 ? 8 : 1);
-        return result;
-      }
+      shear_law_of_layers(const bool homogeneous) const;
 
       void
       add_parameters(EntryDeclarations &prm);
@@ -186,6 +186,12 @@ namespace Biface
     get_plies() const
     {
       return plies;
+    }
+
+    const TransverseShearLaw &
+    get_shear_law() const
+    {
+      return shear_law;
     }
 
     /** Whether any ply has fibers. */

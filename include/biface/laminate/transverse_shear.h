@@ -40,8 +40,9 @@ namespace Biface
   };
 
   /** Read 'constant strain', 'equilibrium' or a factor, a number or a formula
-   * such as 5/6. Throws InputError if it is none of these. */
-  TransverseShearLaw
+   * such as 5/6; nothing from 'automatic'. Throws InputError if it is none of
+   * these. */
+  std::optional<TransverseShearLaw>
   parse_transverse_shear(const std::string &entry, const std::string &text);
 
   /** Read TransverseShearLaw::gradient_factor, or nothing from 'by layers'.
