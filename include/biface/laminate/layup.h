@@ -87,7 +87,8 @@ namespace Biface
       std::vector<InitialResultant> initial_resultants;
       ThicknessLaw                  law = ThicknessLaw::symmetric;
       /** The entries of TransverseShearLaw; if not set, they follow from
-       * the element and the number of layers, see shear_law_of_layers(). */
+       * the element, the layers and the materials, see
+       * shear_law_of_layers(). */
       std::optional<TransverseShearLaw> shear_law;
       std::optional<double>             gradient_factor;
       /** Whether the element is Formulation::standard. */
