@@ -13,7 +13,7 @@ from scipy.integrate import solve_bvp
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from example_page import biface, parse_arguments, table
-from meshes import Runner, at, displacement, isotropic, joined, mapped
+from meshes import Runner, at, displacement, isotropic, joined, mapped, triangles
 from published import (large_table, modes_table, nafems_table, other_table,
                        thin_elliptic_membrane)
 
@@ -22,7 +22,7 @@ PAGE = """<!-- Written by doc/any_mesh/any_mesh.py: cmake --build build --target
 # Meshes from files
 
 A shell need not be a plane or a surface of revolution: with `Surface/Type = mesh` its surface is a mesh of
-quadrilaterals, flat or warped, of any shape that is convex. [plate_with_hole.prm](../prm/plate_with_hole.prm)
+quadrilaterals, flat or warped, of any shape that is convex; triangles are divided into some. [plate_with_hole.prm](../prm/plate_with_hole.prm)
 and [rubber_dome.prm](../prm/rubber_dome.prm) are examples.
 
     build/biface prm/rubber_dome.prm
@@ -43,9 +43,17 @@ subsection Loads
 end
 ```
 
-- **File**: MSH 2.2 or 4.1 of Gmsh, in ASCII, or an input file of Abaqus or CalculiX with shells (S4R, S8R, ...).
-  In Gmsh, `Recombine Surface` makes quadrilaterals; where triangles remain,
-  `Mesh.SubdivisionAlgorithm = 1` divides all cells. Cells of second order count as those of their corners.
+- **File**: MSH 2.2 or 4.1 of Gmsh, in ASCII, or an input file of Abaqus or CalculiX with shells (S4R, S3, S8R, ...). Gmsh
+  converts others, without the names of groups: `gmsh part.bdf -save -o part.msh`. Cells of second order count as those of their corners. Parts that were meshed one by one
+  have nodes of their own at their common lines: `Merge distance` makes one of nodes that are so close.
+- **Triangles and finer meshes**: `Refine = 1` divides each triangle into three quadrilaterals and each quadrilateral into four, with their
+  groups; `Refine = 2` does so twice. In Gmsh, `Recombine Surface` makes quadrilaterals, of which fewer are needed. A set of nodes gets
+  the new ones on the free sides and folds between its nodes, and others unless these lie between nodes of such sides.
+- **Geometry**: a mesh of a curved surface must know it to be refined, since the parts of a flat cell are facets. `Geometry` is a formula
+  of x, y and z that is zero on the surface, such as `x^2 + y^2 + z^2 - 50^2`, and for several surfaces
+  `z > 0 ? x^2 + y^2 + z^2 - 50^2 : x^2 + y^2 - 50^2`; `Geometry file` is a STEP file of any CAD program, in the unit of `Units`. All nodes, also those of the
+  file, are moved to the surface and have its normals. New nodes of a rim or of a fold are on the edges of the STEP file; a formula knows none, so that they
+  move along its gradient.
 - **Names**: a `Physical Curve` is an edge, for `Edge supports`, `Edge forces` and `Edge moments`, and a
   `Physical Point` is a named point, for supports, forces, probes and control. Other points are given by their
   positions, `Named points = tip: 0 0 12.5`; they must be nodes. In Gmsh, anything without a physical group is not
@@ -64,7 +72,7 @@ end
   stand in one list, by which `Layers` and `Initial ply stresses` count them.
 - **Plies that vary**: thickness, angle and initial stress may be formulas of `x`, `y`, `z`, such as `cord: 2-0.01*x @ 30`:
   a node has the thickness of its place, and a cell the stiffness of its center.
-- **Normals** are the means of the cells around a node. Edges with `symmetry x`, `symmetry y` or `symmetry z` keep
+- **Normals** are those of the `Geometry`, or else the means of the cells around a node. Edges with `symmetry x`, `symmetry y` or `symmetry z` keep
   their normals in the plane of symmetry.
 - **Folds**: cells that meet at more than `Fold angle`, 20 degrees, belong to different parts of the shell, which are
   joined rigidly; the run says how many such sides there are. On a coarse mesh of a smooth surface the angle should be larger. Three cells or more
@@ -101,6 +109,10 @@ edges along them; on *graded* ones opposite edges are divided 1 : 2 : … : n in
 - Beam twisted by 90 degrees, thickness 0.32 and 0.0032: 0.005424, 0.001754, 5.256 and 1.294 (for a millionth of the force) in and out
   of its plane @cite MacNealHarder1985 .
 - Skew plate of 60 degrees, two edges simply supported, L/t = 100, under pressure: 0.7945 (Razzaque).
+
+The hemisphere on a random mesh of 4 × 4 cells, each cut into two triangles, as it is divided:
+
+{divided}
 
 Large displacements of the hemisphere at P = 400, in one step; the last column is the number of iterations:
 
@@ -314,6 +326,25 @@ def linear_table(runner):
     return table(["Case", "Mesh", "Cells", "biface", "MITC4"], rows)
 
 
+def divided_table(runner):
+    pinched = next(b for b in BENCHMARKS if b.name == "hemisphere")
+    rows = []
+    for n in (1, 2, 3):
+        row = [str(n), str(96 * 4**(n - 1))]
+        for formula in ("x^2 + y^2 + z^2 - 10^2", ""):
+            results = runner.run(
+                f"divided_{n}_{'known' if formula else 'facets'}",
+                triangles(mapped(hemisphere, 4, 4, "random")),
+                {**isotropic(pinched.young, pinched.poisson, pinched.thickness),
+                 "Supports/Edge supports": pinched.supports,
+                 "Supports/Point supports": pinched.points, **pinched.loads,
+                 "Surface/Mesh/Refine": n, "Surface/Mesh/Geometry": formula})
+            row.append(f"{displacement(results, 'A', 'u_x') / pinched.published:.3f}")
+        rows.append(row)
+    return table(["Refine", "Cells", "with the formula of the sphere", "facets, no Geometry"],
+                 rows)
+
+
 def nonlinear_table(runner):
     pinched = next(b for b in BENCHMARKS if b.name == "hemisphere")
     rows = []
@@ -518,7 +549,7 @@ def main():
     modes, excess = modes_table(runner)
     other, hook = other_table(runner)
     (arguments.output / "any_mesh.md").write_text(PAGE.format(
-        linear=linear_table(runner), nonlinear=nonlinear_table(runner),
+        linear=linear_table(runner), divided=divided_table(runner), nonlinear=nonlinear_table(runner),
         nafems=nafems_table(runner), thin=thin_elliptic_membrane(runner),
         modes=modes, excess=excess, other=other, hook=hook, large=large_table(runner),
         folded_strip=folded_strip_table(runner), torsion=torsion_of_tube(runner),

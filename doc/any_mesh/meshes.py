@@ -10,7 +10,7 @@ from example_page import biface
 
 @dataclass
 class Mesh:
-    """Nodes, quadrilaterals counterclockwise, lines and points by name."""
+    """Nodes, triangles and quadrilaterals counterclockwise, lines and points by name."""
     nodes: np.ndarray
     cells: list
     lines: dict
@@ -25,8 +25,8 @@ class Mesh:
                     for name, node in self.points.items()]
         elements += [f"1 2 {numbers[1, name]} 0 {a + 1} {b + 1}"
                      for name, sides in self.lines.items() for a, b in sides]
-        elements += [f"3 2 {numbers[2, 'shell']} 0 " + " ".join(str(n + 1) for n in cell)
-                     for cell in self.cells]
+        elements += [f"{len(cell) - 1} 2 {numbers[2, 'shell']} 0 "
+                     + " ".join(str(n + 1) for n in cell) for cell in self.cells]
         lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", len(names)]
         lines += [f'{d} {number} "{name}"' for (d, name), number in numbers.items()]
         lines += ["$EndPhysicalNames", "$Nodes", len(self.nodes)]
@@ -74,6 +74,12 @@ def mapped(surface, n, m, kind, kept=()):
     points = {"A": node(0, 0), "B": node(n, 0), "C": node(n, m), "D": node(0, m),
               "E": node(n, m // 2), "M": node(n // 2, m // 2)}
     return Mesh(np.stack(surface(u, v), axis=-1).reshape(-1, 3), cells, lines, points)
+
+
+def triangles(mesh):
+    """The mesh with each quadrilateral cut into two triangles."""
+    mesh.cells = [part for a, b, c, d in mesh.cells for part in ((a, b, c), (a, c, d))]
+    return mesh
 
 
 def joined(patches, lines, points):

@@ -20,11 +20,13 @@ namespace Biface
     if (surface.mesh.name.empty())
       throw InputError(
         "Surface/Mesh/File", "", "a surface of type 'mesh' needs a file");
-    if (!(surface.mesh.fold_angle > 0 && surface.mesh.fold_angle <= 60))
+    const MeshOptions &options = surface.mesh.options;
+    if (!(options.fold_angle > 0 && options.fold_angle <= 60))
       throw InputError("Surface/Mesh/Fold angle",
-                       number_to_string(surface.mesh.fold_angle),
+                       number_to_string(options.fold_angle),
                        "it must be positive and at most 60");
-    surface.mesh.read(communicator);
+    check_not_negative("Surface/Mesh/Merge distance", options.merge_distance);
+    surface.mesh.read(units.of_length(), communicator);
     // without coordinates, none of them is closed
     mesh.closed = false;
 

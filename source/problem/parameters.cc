@@ -733,12 +733,19 @@ namespace Biface
     /** What of a mesh must be the same at a restart: its nodes, cells and
      * groups. */
     std::vector<Point<2>>
-    pairs_of_mesh(const QuadrilateralMesh &mesh)
+    pairs_of_mesh(const QuadrilateralMesh &mesh, const bool with_normals)
     {
       std::vector<Point<2>> pairs;
-      for (const Point<3> &x : mesh.nodes)
+      const auto            add = [&pairs](const Tensor<1, 3> &x) {
         for (const Point<2> &pair : {Point<2>(x[0], x[1]), Point<2>(x[2], 0)})
           pairs.push_back(pair);
+      };
+      for (const Point<3> &x : mesh.nodes)
+        add(x);
+      // others follow from the nodes
+      if (with_normals)
+        for (const Tensor<1, 3> &normal : mesh.normals)
+          add(normal);
       for (const auto &cell : mesh.cells)
         for (const unsigned int v : {0, 2})
           pairs.emplace_back(cell[v], cell[v + 1]);
@@ -779,7 +786,8 @@ namespace Biface
     if (!surface.points_file.name.empty())
       pairs["Surface/Spline/File"] = surface.points_file.pairs;
     if (surface.mesh.mesh)
-      pairs["Surface/Mesh/File"] = pairs_of_mesh(*surface.mesh.mesh);
+      pairs["Surface/Mesh/File"] = pairs_of_mesh(
+        *surface.mesh.mesh, surface.mesh.options.surface != nullptr);
     for (const TableFile &table : laminate.tables)
       pairs["Laminate/Tables, " + table.name] = table.file.pairs;
     for (const MaterialParameters &material : materials)
@@ -803,7 +811,8 @@ namespace Biface
   std::vector<std::string>
   Parameters::input_files() const
   {
-    std::vector<std::string> names{surface.points_file.name, surface.mesh.name};
+    std::vector<std::string> names{
+      surface.points_file.name, surface.mesh.name, surface.mesh.geometry_file};
     for (const Imperfection::Table &table : surface.imperfection.tables)
       names.push_back(table.file.file_name);
     for (const Imperfection::Series &series : surface.imperfection.series)

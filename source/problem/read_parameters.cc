@@ -13,6 +13,7 @@
 #include <optional>
 #include <set>
 #include <sstream>
+#include <tuple>
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_text.h>
@@ -235,15 +236,18 @@ namespace Biface
         if (!error)
           name = result;
       };
-      for (auto [section, file] :
-           {std::make_pair("Spline", parameters.surface.points_file.name),
-            std::make_pair("Mesh", parameters.surface.mesh.name)})
+      for (auto [section, entry, file] :
+           {std::make_tuple(
+              "Spline", "File", parameters.surface.points_file.name),
+            std::make_tuple("Mesh", "File", parameters.surface.mesh.name),
+            std::make_tuple(
+              "Mesh", "Geometry file", parameters.surface.mesh.geometry_file)})
         if (!file.empty())
           {
             make_absolute(file);
             prm.enter_subsection("Surface");
             prm.enter_subsection(section);
-            prm.set("File", print_file_name(file));
+            prm.set(entry, print_file_name(file));
             prm.leave_subsection();
             prm.leave_subsection();
           }

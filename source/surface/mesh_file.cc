@@ -1,17 +1,33 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <limits>
+#include <map>
+#include <memory>
 
 #include <biface/base/errors.h>
 #include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/input/read_file.h>
+#include <biface/surface/known_surface.h>
 #include <biface/surface/mesh_file.h>
 #include <biface/surface/quadrilateral_mesh.h>
 
 namespace Biface
 {
   using namespace dealii;
+
+  namespace
+  {
+    std::shared_ptr<const KnownSurface>
+    parse_geometry(const std::string &entry, const std::string &text)
+    {
+      if (text.empty())
+        return {};
+      return std::make_shared<const SurfaceOfFormula>(
+        Formula(entry, text, {"x", "y", "z"}));
+    }
+  } // namespace
+
 
   void
   MeshFile::add_parameters(EntryDeclarations &prm)
@@ -22,9 +38,9 @@ namespace Biface
                name,
                parse_file_name,
                "The file of the mesh of a surface of type 'mesh': a mesh of "
-               "quadrilaterals of Gmsh, MSH 2.2 or 4.1 in ASCII, or an "
-               "input file of Abaqus or CalculiX with shells of four, eight "
-               "or nine nodes. Outward is "
+               "quadrilaterals, or with 'Refine' also of triangles, of Gmsh, "
+               "MSH 2.2 or 4.1 in ASCII, or an input file of Abaqus or "
+               "CalculiX with shells. Outward is "
                "where the nodes of its cells run counterclockwise. Its "
                "physical groups or sets of nodes are edges, with their free "
                "sides, and those of single nodes are "
@@ -56,8 +72,51 @@ namespace Biface
       "the position x, y, z, of a vector that is projected into the "
       "surface; '-y; x; 0' runs around the z axis. v_1 of supports "
       "and loads is along it.");
+    prm.add_parameter("Merge distance",
+                      options.merge_distance,
+                      "Nodes of the mesh that are at most so far apart are one "
+                      "node, the first one of them in the file: for parts that "
+                      "were meshed one by one. Not negative, and smaller than "
+                      "the sides of all cells; 0 for none.",
+                      Patterns::Double(),
+                      Unit("length"));
+    prm.add_parameter("Refine",
+                      options.n_refinements,
+                      "How often all cells of the mesh are divided: a "
+                      "quadrilateral into four, a triangle into three "
+                      "quadrilaterals. New nodes are in the middle of sides "
+                      "and cells, on the surface of 'Geometry' if there is "
+                      "one. At most 10.",
+                      Patterns::Integer(0, 10));
+    add_parsed(prm,
+               "Geometry",
+               "",
+               options.surface,
+               parse_geometry,
+               "A formula of the position x, y, z that is zero on the surface, "
+               "such as x^2 + y^2 + z^2 - 100^2 for a sphere, and smooth "
+               "around it: the nodes of the mesh are moved to it, also the new "
+               "ones of 'Refine', and have its normals. Surfaces of several "
+               "parts have several formulas, as in z > 0 ? x^2 + y^2 + z^2 - "
+               "50^2 : x^2 + y^2 - 50^2. Nodes of the file must be on it "
+               "within a tenth of the sides of their cells. Empty: the mesh "
+               "itself is the surface, and normals are the means of the cells "
+               "around a node.",
+               Unit("length"));
+    add_parsed(prm,
+               "Geometry file",
+               "",
+               geometry_file,
+               parse_file_name,
+               "A file of STEP whose faces are the surface, in place of a "
+               "formula in 'Geometry'; new nodes at the ends of the surface "
+               "and at folds are on its edges. Its lengths are converted to "
+               "that of 'Units': mm, cm, m, in or ft, or mm if there is none. "
+               "Relative to the parameter file; see 'Tables' for names in "
+               "double quotes.",
+               RestartChange::always);
     prm.add_parameter("Fold angle",
-                      fold_angle,
+                      options.fold_angle,
                       "The angle up to which neighboring cells of a mesh form "
                       "a smooth surface with one normal at each node; at "
                       "larger ones they meet at a fold. Positive, at "
@@ -68,7 +127,7 @@ namespace Biface
     add_parsed(prm,
                "Joints",
                "",
-               joints,
+               options.joints,
                parse_joints,
                "How cells of a mesh are joined at the sides of groups of "
                "lines, 'lines: rigid', 'lines: hinge' or 'lines: STIFFNESS', "
@@ -110,10 +169,31 @@ namespace Biface
 
 
   void
-  MeshFile::read(const MPI_Comm communicator)
+  MeshFile::read(const std::string &unit, const MPI_Comm communicator)
   {
+    if (!geometry_file.empty())
+      {
+        if (options.surface)
+          throw InputError("Surface/Mesh/Geometry file",
+                           geometry_file,
+                           "there is a formula in 'Geometry', too");
+        const std::map<std::string, double> millimeters{{"", 1},
+                                                        {"mm", 1},
+                                                        {"cm", 10},
+                                                        {"m", 1000},
+                                                        {"in", 25.4},
+                                                        {"ft", 304.8}};
+        const auto                          known = millimeters.find(unit);
+        if (known == millimeters.end())
+          throw InputError("Units",
+                           unit,
+                           "lengths of 'Surface/Mesh/Geometry file' can be "
+                           "converted to mm, cm, m, in or ft only");
+        options.surface = surface_of_step(
+          read_file(geometry_file, communicator), geometry_file, known->second);
+      }
     mesh = std::make_shared<const QuadrilateralMesh>(
-      parse_mesh(read_file(name, communicator), name, fold_angle, joints));
+      parse_mesh(read_file(name, communicator), name, options));
   }
 
 

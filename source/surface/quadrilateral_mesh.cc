@@ -16,6 +16,9 @@
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/surface/divide_mesh.h>
+#include <biface/surface/known_surface.h>
+#include <biface/surface/mesh_options.h>
 #include <biface/surface/mesh_text.h>
 #include <biface/surface/quadrilateral_mesh.h>
 
@@ -36,11 +39,10 @@ namespace Biface
     class MeshBuilder
     {
     public:
-      MeshBuilder(const MeshText                  &raw,
-                  const std::string               &name,
-                  const double                     fold_angle,
-                  const std::vector<JointOfGroup> &joints)
-        : raw(raw), name(name), fold_angle(fold_angle), joints(joints)
+      MeshBuilder(const MeshText    &raw,
+                  const std::string &name,
+                  const MeshOptions &options)
+        : raw(raw), name(name), options(options)
       {}
 
       QuadrilateralMesh
@@ -62,6 +64,8 @@ namespace Biface
         complete_folds();
         find_corners();
         set_normals();
+        if (options.n_refinements > 0 && !options.surface)
+          measure_facets();
         return mesh;
       }
 
@@ -98,12 +102,10 @@ namespace Biface
         for (const MeshText::Element &element : raw.elements[2])
           {
             if (element.corners.size() == 3)
-              refuse(
-                "the cell " + std::to_string(element.number) + " at " +
-                in_parentheses(raw.nodes[element.corners[0]]) +
-                " is a triangle, but all cells must be quadrilaterals; Gmsh "
-                "makes them by 'Recombine Surface' with "
-                "'Mesh.SubdivisionAlgorithm = 1'.");
+              refuse("the cell " + std::to_string(element.number) + " at " +
+                     in_parentheses(raw.nodes[element.corners[0]]) +
+                     " is a triangle, but all cells must be quadrilaterals: "
+                     "'Surface/Mesh/Refine = 1' divides all cells into some.");
             // in version 2.2 a cell occurs once for each of its groups
             std::array<unsigned int, 4> corners;
             std::copy(
@@ -231,7 +233,7 @@ namespace Biface
       void
       set_joints()
       {
-        for (const JointOfGroup &joint : joints)
+        for (const JointOfGroup &joint : options.joints)
           {
             std::vector<Side> sides;
             for (unsigned int g = 0; g < mesh.groups.size(); ++g)
@@ -266,7 +268,7 @@ namespace Biface
                 const CellSide &one,
                 const CellSide &two) const
       {
-        return angle_between(one, two) <= fold_angle &&
+        return angle_between(one, two) <= options.fold_angle &&
                (cells_of_side.at(side).size() > 2 ||
                 joint_of_side.count(side) == 0);
       }
@@ -729,6 +731,34 @@ namespace Biface
                      "other.");
             mesh.normals[n] /= mesh.normals[n].norm();
           }
+        if (options.surface)
+          use_known_normals();
+      }
+
+      void
+      measure_facets()
+      {
+        for (const auto &[side, of] : cells_of_side)
+          if (of.size() == 2)
+            mesh.turn_of_facets =
+              std::max(mesh.turn_of_facets, angle_between(of[0], of[1]));
+      }
+
+      void
+      use_known_normals()
+      {
+        double size = 0;
+        for (const Point<3> &x : mesh.nodes)
+          size = std::max(size, x.distance(mesh.nodes[0]));
+        const double least = std::cos(options.fold_angle * numbers::PI / 180);
+        for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
+          {
+            const Tensor<1, 3> known =
+              options.surface->normal(mesh.nodes[n], mesh.normals[n], size);
+            // at a fold, the surface may know that of another part
+            if (known * mesh.normals[n] >= least)
+              mesh.normals[n] = known;
+          }
       }
 
       void
@@ -849,12 +879,11 @@ namespace Biface
         double            stiffness;
       };
 
-      const MeshText                  &raw;
-      const std::string                name;
-      const double                     fold_angle;
-      const std::vector<JointOfGroup> &joints;
-      QuadrilateralMesh                mesh;
-      std::vector<RawFold>             raw_folds;
+      const MeshText      &raw;
+      const std::string    name;
+      const MeshOptions   &options;
+      QuadrilateralMesh    mesh;
+      std::vector<RawFold> raw_folds;
       /** By the face, the cell and the number of its side at a fold: the cell
        * with which it bounds a wedge there, an invalid number if there is
        * none. */
@@ -909,10 +938,9 @@ namespace Biface
 
 
   QuadrilateralMesh
-  parse_mesh(const std::string               &text,
-             const std::string               &file_name,
-             const double                     fold_angle,
-             const std::vector<JointOfGroup> &joints)
+  parse_mesh(const std::string &text,
+             const std::string &file_name,
+             const MeshOptions &options)
   {
     const std::string name  = "the mesh '" + file_name + "'";
     const auto        first = text.find_first_not_of(" \t\n");
@@ -922,8 +950,9 @@ namespace Biface
                        " is neither one of Gmsh, which starts with "
                        "'$MeshFormat', nor one of Abaqus or CalculiX, which "
                        "starts with a line of '*'.");
-    const MeshText raw = (text[first] == '$' ? read_gmsh(text, file_name)
-                                             : read_abaqus(text, file_name));
-    return MeshBuilder(raw, name, fold_angle, joints).build();
+    MeshText raw = (text[first] == '$' ? read_gmsh(text, file_name)
+                                       : read_abaqus(text, file_name));
+    prepare_mesh(raw, options, name);
+    return MeshBuilder(raw, name, options).build();
   }
 } // namespace Biface

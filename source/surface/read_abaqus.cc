@@ -122,7 +122,7 @@ namespace Biface
             // the lines of Gmsh
             is_line = (type == "T2D2" || type == "T3D2");
             // by the number of nodes in the name: S4R5 has four
-            const std::string shells[] = {"S", "M3D", "CPS", "CPE"};
+            const std::string shells[] = {"S", "M3D", "CPS", "CPE", "STRI"};
             n_nodes                    = 0;
             for (const std::string &shell : shells)
               if (type.compare(0, shell.size(), shell) == 0 &&
@@ -131,9 +131,10 @@ namespace Biface
                 n_nodes = type[shell.size()] - '0';
             if (is_line)
               n_nodes = 2;
-            else if (n_nodes != 4 && n_nodes != 8 && n_nodes != 9)
-              refuse("a type of shells with four, eight or nine nodes, such as "
-                     "S4R: others are not possible");
+            else if (n_nodes != 3 && n_nodes != 4 && n_nodes != 6 &&
+                     n_nodes != 8 && n_nodes != 9)
+              refuse("a type of shells, such as S4R or S3: others are not "
+                     "possible");
           }
       }
 
@@ -195,7 +196,10 @@ namespace Biface
         if (!elements.emplace(rest[0], ElementAt{is_line ? 1U : 2U, all.size()})
                .second)
           refuse("another element number: this one has occurred before");
-        for (unsigned int i = 0; i < std::min(n_nodes, 4U); ++i)
+        // the corners come first
+        const unsigned int n_corners =
+          (n_nodes % 3 == 0 && n_nodes < 9 ? 3 : std::min(n_nodes, 4U));
+        for (unsigned int i = 0; i < n_corners; ++i)
           {
             const auto node = result.node_of_number.find(rest[1 + i]);
             if (node == result.node_of_number.end())

@@ -8,6 +8,7 @@
 // with its place.
 
 #include <biface/base/errors.h>
+#include <biface/surface/mesh_options.h>
 #include <biface/surface/quadrilateral_mesh.h>
 
 #include "../tests.h"
@@ -36,7 +37,7 @@ namespace
   {
     try
       {
-        const QuadrilateralMesh mesh = parse_mesh(text, "m.inp", 20);
+        const QuadrilateralMesh mesh = parse_mesh(text, "m.inp", {});
         std::cout << mesh.nodes.size() << " nodes, " << mesh.cells.size()
                   << " cells, groups";
         for (const auto &group : mesh.groups)

@@ -26,8 +26,10 @@ namespace
     std::cout << name << ": ";
     try
       {
-        const QuadrilateralMesh mesh =
-          parse_mesh(text, "m.msh", fold_angle, parse_joints("Joints", joints));
+        MeshOptions options;
+        options.fold_angle           = fold_angle;
+        options.joints               = parse_joints("Joints", joints);
+        const QuadrilateralMesh mesh = parse_mesh(text, "m.msh", options);
         std::cout << mesh.nodes.size() << " nodes, " << mesh.folds.size()
                   << " folds, " << mesh.free_sides.size() << " free sides";
         for (const auto &joint : mesh.joints)

@@ -6,6 +6,7 @@
 // fault is answered with its place.
 
 #include <biface/base/errors.h>
+#include <biface/surface/mesh_options.h>
 #include <biface/surface/quadrilateral_mesh.h>
 
 #include "../irregular_mesh.h"
@@ -50,7 +51,7 @@ namespace
   {
     try
       {
-        parse_mesh(text, "m.msh", 20);
+        parse_mesh(text, "m.msh", {});
         std::cout << "ACCEPTED" << std::endl;
       }
     catch (const InputError &error)
@@ -64,8 +65,8 @@ namespace
 int
 main()
 {
-  print("2.2", parse_mesh(two_cells("20 30 60 50"), "m.msh", 20));
-  print("turned", parse_mesh(two_cells("50 60 30 20"), "m.msh", 20));
+  print("2.2", parse_mesh(two_cells("20 30 60 50"), "m.msh", {}));
+  print("turned", parse_mesh(two_cells("50 60 30 20"), "m.msh", {}));
   print("4.1",
         parse_mesh("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n"
                    "$PhysicalNames\n2\n1 7 \"end\"\n2 1 \"strip\"\n"
@@ -78,7 +79,7 @@ main()
                    "$Elements\n2 3 1 3\n1 3 1 1\n1 30 60\n"
                    "2 5 3 2\n2 10 20 50 40\n3 20 30 60 50\n$EndElements\n",
                    "m.msh",
-                   20));
+                   {}));
   print("second order",
         parse_mesh(gmsh_text({{0, 0, 0},
                               {1, 0, 0},
@@ -90,7 +91,7 @@ main()
                               {0, .5, 0}},
                              {"16 0 1 2 3 4 5 6 7 8"}),
                    "m.msh",
-                   20));
+                   {}));
 
   // a cell in two groups, and a line twice in one, as Gmsh writes them in 2.2
   print(
@@ -100,11 +101,11 @@ main()
         {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
         {"1 2 7 1 1 2", "1 2 7 1 2 1", "3 2 1 1 1 2 3 4", "3 2 2 1 1 2 3 4"}),
       "m.msh",
-      20));
+      {}));
 
   // the normals of an irregular part of a sphere
   const QuadrilateralMesh sphere = parse_mesh(
-    gmsh_text(irregular_mesh(16, 16, 0.25, hemisphere)), "m.msh", 20);
+    gmsh_text(irregular_mesh(16, 16, 0.25, hemisphere)), "m.msh", {});
   double largest = 0;
   for (unsigned int i = 0; i < sphere.nodes.size(); ++i)
     largest = std::max(

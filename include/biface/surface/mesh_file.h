@@ -12,7 +12,7 @@
 #include <vector>
 
 #include <biface/input/formula.h>
-#include <biface/surface/joint_of_group.h>
+#include <biface/surface/mesh_options.h>
 
 namespace Biface
 {
@@ -31,11 +31,9 @@ namespace Biface
   {
     /** The name of the file; empty for none. */
     std::string name;
-    /** The largest angle at which neighboring cells form a smooth surface.
-     * Unit: degrees. */
-    double fold_angle = 20;
-    /** How cells are joined at groups of lines. */
-    std::vector<JointOfGroup> joints;
+    MeshOptions options;
+    /** The name of the file of the known surface; empty for none. */
+    std::string geometry_file;
     /** The first direction of the material, which is projected into the
      * surface: three formulas of the position. */
     std::vector<Formula> direction;
@@ -45,10 +43,12 @@ namespace Biface
     void
     add_parameters(EntryDeclarations &prm);
 
-    /** Read the mesh; must be called on all ranks. Throws InputError on all of
-     * them, see parse_mesh(). */
+    /** Read the mesh, and the surface on which it lies; must be called on all
+     * ranks. Throws InputError on all of them, see parse_mesh() and
+     * surface_of_step().
+     * @param unit the name of the unit of length; may be empty. */
     void
-    read(const MPI_Comm communicator);
+    read(const std::string &unit, const MPI_Comm communicator);
 
     /** The direction at a point. Throws InputError if it is not finite. */
     dealii::Tensor<1, 3>

@@ -51,11 +51,10 @@ namespace Biface
   MeshText
   read_gmsh(const std::string &text, const std::string &name);
 
-  /** Read an input file of Abaqus or CalculiX: nodes, shells with four, eight
-   * or nine nodes, sets of nodes and elements, and trusses without a section,
-   * which are the lines of Gmsh; what has nothing to do with the mesh is passed
-   * over. Throws InputError that names the line that
-   * contains anything else.
+  /** Read an input file of Abaqus or CalculiX: nodes, shells, sets of nodes and
+   * elements, and trusses without a section, which are the lines of Gmsh; what
+   * has nothing to do with the mesh is passed over. Throws InputError that
+   * names the line that contains anything else.
    * @param name that of the file, for messages. */
   MeshText
   read_abaqus(const std::string &text, const std::string &name);

@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include <biface/surface/joint_of_group.h>
-
 namespace Biface
 {
+  struct MeshOptions;
+
   /**
    * A mesh of quadrilaterals in space whose parts have names, from a file of
    * another program: the positions of its nodes, its cells, and its groups.
@@ -34,8 +34,9 @@ namespace Biface
      * a fold after those of the file. Unit: length. */
     std::vector<dealii::Point<3>> nodes;
 
-    /** The unit normals at the nodes, those of the cells around each, weighted
-     * by their angles at the node. */
+    /** The unit normals at the nodes: those of the known surface where they are
+     * within the angle of a fold from those of the cells around the node,
+     * weighted by their angles there; else the latter. */
     std::vector<dealii::Tensor<1, 3>> normals;
 
     /** The nodes of the cells in the order of deal.II, lexicographic. */
@@ -92,6 +93,11 @@ namespace Biface
     /** The nodes at one place that belong to different parts. */
     std::vector<std::vector<unsigned int>> joints;
 
+    /** The largest angle by which the surface turns between cells of the file
+     * that are divided where no surface is known: their parts are facets. Zero
+     * if there are none. Unit: degrees. */
+    double turn_of_facets = 0;
+
     /** Corners that the inner, or outer, faces of three or more parts enclose:
      * their nodes, counterclockwise about the outward normal. */
     std::array<std::vector<std::vector<unsigned int>>, 2> corners;
@@ -126,18 +132,15 @@ namespace Biface
    * where they have none, and of sets of nodes and elements, in capitals.
    *
    * Throws InputError, naming the file and the line, if the text is anything
-   * else; naming the cell or the node and its position, if there are triangles
-   * or solids, if a cell is concave or degenerate, if cells cover each other,
-   * if the surface has one side only, or if two nodes are at one place.
-   *
-   * @param fold_angle the angle in degrees above which cells meet at a fold.
-   * @param joints how parts are joined at sides of groups; elsewhere rigidly.
+   * else; naming the cell or the node and its position, if there are solids, or
+   * triangles that are not divided, if a cell is concave or degenerate, if
+   * cells cover each other, if the surface has one side only, or if two nodes
+   * are at one place; and like prepare_mesh().
    */
   QuadrilateralMesh
-  parse_mesh(const std::string               &text,
-             const std::string               &file_name,
-             const double                     fold_angle,
-             const std::vector<JointOfGroup> &joints = {});
+  parse_mesh(const std::string &text,
+             const std::string &file_name,
+             const MeshOptions &options);
 } // namespace Biface
 
 #endif

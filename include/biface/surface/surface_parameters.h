@@ -61,10 +61,10 @@ namespace Biface
   std::unique_ptr<ReferenceSurface>
   make_surface(const ReferenceSurface::Parameters &parameters);
 
-  /** Sentences on a meridian that is valid but perhaps not as intended: points
-   * of a file that were taken as one, kinks, and an outward normal that points
-   * to the axis over most of its length. Throws InputError like
-   * make_surface(). */
+  /** Sentences on a surface that is valid but perhaps not as intended: points
+   * of a meridian that were taken as one, kinks, an outward normal that points
+   * to the axis over most of its length, and a mesh of facets. Throws
+   * InputError like make_surface(). */
   std::vector<std::string>
   remarks_on_surface(const ReferenceSurface::Parameters &parameters);
 } // namespace Biface

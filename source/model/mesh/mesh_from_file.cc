@@ -370,8 +370,12 @@ namespace Biface
           edges.push_back({mesh.groups[g].name, {}});
           group_of_edge.push_back(g);
         }
-    const std::vector<Tensor<1, 3>> normals = normals_in_planes(
-      mesh, supports.named_edges, *this, group_of_edge, file.fold_angle);
+    const std::vector<Tensor<1, 3>> normals =
+      normals_in_planes(mesh,
+                        supports.named_edges,
+                        *this,
+                        group_of_edge,
+                        file.options.fold_angle);
     if (!(thickness() < size()))
       throw InputError(
         "the plies of 'Laminate/Plies' are " + number_to_string(thickness()) +
