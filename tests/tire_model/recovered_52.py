@@ -10,7 +10,7 @@ from biface_tire_model import fit, read_tir
 
 formula = read_tir(TRUCK).formula()
 loads = [0.4 * formula.p.FNOMIN * part for part in (0.5, 1, 1.5, 2)]
-data = sweeps(formula, loads, (-0.05, 0, 0.05))
+data = sweeps(formula, loads, (-0.05, 0, 0.05), angles=10, slips=7)
 result = fit(data, "5.2", formula.p.UNLOADED_RADIUS)
 for channel, error in largest_errors(result.formula, data).items():
     check(error < 0.01, f"the error of {channel} is {100 * error} %")
