@@ -53,7 +53,8 @@ end
   of x, y and z that is zero on the surface, such as `x^2 + y^2 + z^2 - 50^2`, and for several surfaces
   `z > 0 ? x^2 + y^2 + z^2 - 50^2 : x^2 + y^2 - 50^2`; `Geometry file` is a STEP file of any CAD program, in the unit of `Units`. All nodes, also those of the
   file, are moved to the surface and have its normals. New nodes of a rim or of a fold are on the edges of the STEP file; a formula knows none, so that they
-  move along its gradient.
+  move along its gradient, and a condition such as `z > 0` must change beside the nodes of a fold, not at them. Of a solid, nodes stay on the faces on which those of
+  the file are. A number of the formula is a parameter of the shape for [`Sensitivities`](parameters.md#sensitivities) and studies.
 - **Names**: a `Physical Curve` is an edge, for `Edge supports`, `Edge forces` and `Edge moments`, and a
   `Physical Point` is a named point, for supports, forces, probes and control. Other points are given by their
   positions, `Named points = tip: 0 0 12.5`; they must be nodes. In Gmsh, anything without a physical group is not

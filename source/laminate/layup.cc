@@ -315,9 +315,9 @@ namespace Biface
       return;
     if (shear_law && shear_law->kind == TransverseShearLaw::Kind::factor)
       throw InputError(
-        "the entry 'Laminate/Transverse shear' must be 'constant strain' or "
-        "'equilibrium' with several layers ('Laminate/Layers'): the deflection "
-        "would converge to a wrong limit with a factor.");
+        "the entry 'Laminate/Transverse shear' must be 'automatic', 'constant "
+        "strain' or 'equilibrium' with several layers ('Laminate/Layers'): the "
+        "deflection would converge to a wrong limit with a factor.");
     if (!initial_resultants.empty())
       throw InputError(
         "the entry 'Laminate/Initial resultants' must be empty with several "

@@ -36,7 +36,8 @@ namespace Biface
         : mesh(mesh), options(options), name(name)
       {}
 
-      void
+      /** @return remarks. */
+      std::vector<std::string>
       prepare()
       {
         unite_close_nodes();
@@ -46,6 +47,15 @@ namespace Biface
         move_to_surface();
         for (unsigned int i = 0; i < options.n_refinements; ++i)
           divide();
+        std::vector<std::string> remarks;
+        for (const std::string &set : ambiguous_sets)
+          remarks.push_back(
+            "The set of nodes '" + set +
+            "' is an edge: 'Refine' has given it the new nodes on the ends and "
+            "folds of the shell, but not those across the cells between them. "
+            "If it is a part of the shell, use cells that are half as long in "
+            "the file.");
+        return remarks;
       }
 
     private:
@@ -225,14 +235,20 @@ namespace Biface
         return mesh.nodes.size() - 1;
       }
 
-      [[noreturn]] void
-      refuse_place(const Point<3> &x) const
+      /** A place that has been found for a new node. */
+      Point<3>
+      place_of(const std::optional<Point<3>> &place, const Point<3> &near) const
       {
-        throw InputError(
-          name +
-          ": no point of the surface of 'Surface/Mesh/Geometry' is "
-          "found for the new node of 'Refine' near (" +
-          vector_to_string(x) + ").");
+        if (!place)
+          throw InputError(
+            name +
+            ": no point of the surface of 'Surface/Mesh/Geometry' is "
+            "found for the new node of 'Refine' near (" +
+            vector_to_string(near) +
+            "): a formula must be smooth around it, without a condition that "
+            "changes there, and a STEP file must not have an end or a hole "
+            "there.");
+        return *place;
       }
 
       static Side
@@ -300,13 +316,13 @@ namespace Biface
         if (options.surface)
           {
             const auto cells = cells_of_side.find(side);
-            const auto place =
+            middle =
               (cells != cells_of_side.end() && is_edge(cells->second)
-                 ? options.surface->middle_of_edge(from, to, size)
-                 : options.surface->closest_point(middle, size));
-            if (!place)
-              refuse_place(middle);
-            middle = *place;
+                 ? place_of(options.surface->middle_of_edge(from, to, size),
+                            middle)
+                 : place_of(
+                     options.surface->point_between(middle, {from, to}, size),
+                     middle));
           }
         return middles[side] = add_node(middle);
       }
@@ -321,15 +337,17 @@ namespace Biface
         const auto known = centers.find(sorted);
         if (known != centers.end())
           return known->second;
-        Point<3> mean;
+        Point<3>              mean;
+        std::vector<Point<3>> around;
         for (const unsigned int corner : corners)
-          mean += mesh.nodes[corner] / static_cast<double>(corners.size());
-        const auto place = options.surface
-                             ? options.surface->closest_point(mean, size)
-                             : std::optional<Point<3>>(mean);
-        if (!place)
-          refuse_place(mean);
-        return centers[sorted] = add_node(*place);
+          {
+            around.push_back(mesh.nodes[corner]);
+            mean += mesh.nodes[corner] / static_cast<double>(corners.size());
+          }
+        if (options.surface)
+          mean =
+            place_of(options.surface->point_between(mean, around, size), mean);
+        return centers[sorted] = add_node(mean);
       }
 
       void
@@ -377,43 +395,55 @@ namespace Biface
       {
         if (mesh.node_sets.empty())
           return;
-        std::set<unsigned int> of_cells;
-        for (const auto &side : cells_of_side)
-          of_cells.insert(side.first.begin(), side.first.end());
         for (auto &[set_name, nodes] : mesh.node_sets)
           {
             const std::set<unsigned int> set(nodes.begin(), nodes.end());
-            // the nodes of edges, between which a side may cross a cell
-            std::set<unsigned int> on_edges;
-            const auto             for_each_side = [&](const auto &visit) {
+            const auto for_each_side = [&](const auto &visit) {
               for (const auto &[side, cells] : cells_of_side)
                 if (set.count(side[0]) > 0 && set.count(side[1]) > 0)
-                  visit(side, is_edge(cells));
+                  visit(side, cells);
             };
-            for_each_side([&](const Side &side, const bool at_edge) {
-              if (at_edge)
-                on_edges.insert(side.begin(), side.end());
-            });
-            // a set of all nodes remains one
-            const bool is_whole = std::includes(
-              set.begin(), set.end(), of_cells.begin(), of_cells.end());
-            for_each_side([&](const Side &side, const bool at_edge) {
-              if (is_whole || at_edge || on_edges.count(side[0]) == 0 ||
-                  on_edges.count(side[1]) == 0)
-                nodes.push_back(middles.at(side));
-            });
+            // the nodes of edges, between which a side may cross the shell
+            std::set<unsigned int> on_edges;
+            for_each_side(
+              [&](const Side &side, const std::vector<CellAtSide> &cells) {
+                if (is_edge(cells))
+                  on_edges.insert(side.begin(), side.end());
+              });
+            const auto is_inner =
+              [&](const std::vector<unsigned int> &corners) {
+                bool all = true, any = false;
+                for (const unsigned int corner : corners)
+                  {
+                    all = all && set.count(corner) > 0;
+                    any = any || on_edges.count(corner) == 0;
+                  }
+                return all && any;
+              };
+            bool is_ambiguous = false;
+            for_each_side(
+              [&](const Side &side, const std::vector<CellAtSide> &cells) {
+                if (is_edge(cells) || on_edges.count(side[0]) == 0 ||
+                    on_edges.count(side[1]) == 0 ||
+                    std::any_of(
+                      cells.begin(), cells.end(), [&](const CellAtSide &at) {
+                        return is_inner(mesh.elements[2][at.cell].corners);
+                      }))
+                  nodes.push_back(middles.at(side));
+                else
+                  // the triangle in the corner of an edge has such a side
+                  is_ambiguous =
+                    is_ambiguous ||
+                    std::none_of(
+                      cells.begin(), cells.end(), [&](const CellAtSide &at) {
+                        return mesh.elements[2][at.cell].corners.size() == 3;
+                      });
+              });
             for (const auto &[corners, center] : centers)
-              if (std::all_of(corners.begin(),
-                              corners.end(),
-                              [&](const unsigned int corner) {
-                                return set.count(corner) > 0;
-                              }) &&
-                  (is_whole || std::any_of(corners.begin(),
-                                           corners.end(),
-                                           [&](const unsigned int corner) {
-                                             return on_edges.count(corner) == 0;
-                                           })))
+              if (is_inner(corners))
                 nodes.push_back(center);
+            if (is_ambiguous)
+              ambiguous_sets.insert(set_name);
           }
       }
 
@@ -428,15 +458,17 @@ namespace Biface
       std::map<Side, unsigned int>                      middles;
       std::map<std::vector<unsigned int>, unsigned int> centers;
       std::size_t                                       last_number = 0;
+      /** Sets of nodes that may be an edge or a part of the shell. */
+      std::set<std::string> ambiguous_sets;
     };
   } // namespace
 
 
-  void
+  std::vector<std::string>
   prepare_mesh(MeshText          &mesh,
                const MeshOptions &options,
                const std::string &name)
   {
-    MeshPreparation(mesh, options, name).prepare();
+    return MeshPreparation(mesh, options, name).prepare();
   }
 } // namespace Biface

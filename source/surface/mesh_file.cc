@@ -98,7 +98,8 @@ namespace Biface
                "around it: the nodes of the mesh are moved to it, also the new "
                "ones of 'Refine', and have its normals. Surfaces of several "
                "parts have several formulas, as in z > 0 ? x^2 + y^2 + z^2 - "
-               "50^2 : x^2 + y^2 - 50^2. Nodes of the file must be on it "
+               "50^2 : x^2 + y^2 - 50^2; at a fold, the condition must change "
+               "beside its nodes. Nodes of the file must be on it "
                "within a tenth of the sides of their cells. Empty: the mesh "
                "itself is the surface, and normals are the means of the cells "
                "around a node.",

@@ -65,7 +65,7 @@ namespace Biface
         find_corners();
         set_normals();
         if (options.n_refinements > 0 && !options.surface)
-          measure_facets();
+          remark_facets();
         return mesh;
       }
 
@@ -112,6 +112,13 @@ namespace Biface
               element.corners.begin(), element.corners.end(), corners.begin());
             std::sort(corners.begin(), corners.end());
             const auto entry = known.emplace(corners, mesh.cells.size());
+            if (!entry.second && !raw.repeats_cells)
+              refuse("the cells " +
+                     std::to_string(mesh.cell_numbers[entry.first->second]) +
+                     " and " + std::to_string(element.number) + " at (" +
+                     vector_to_string(raw.nodes[element.corners[0]]) +
+                     ") have the same nodes, but cells must not lie on each "
+                     "other.");
             if (entry.second)
               {
                 const auto &c = element.corners;
@@ -736,12 +743,20 @@ namespace Biface
       }
 
       void
-      measure_facets()
+      remark_facets()
       {
+        constexpr double remarkable = 1;
+        double           largest    = 0;
         for (const auto &[side, of] : cells_of_side)
           if (of.size() == 2)
-            mesh.turn_of_facets =
-              std::max(mesh.turn_of_facets, angle_between(of[0], of[1]));
+            largest = std::max(largest, angle_between(of[0], of[1]));
+        if (largest > remarkable)
+          mesh.remarks.push_back(
+            "Warning: the cells of 'Surface/Mesh/File' turn by up to " +
+            number_to_string(std::round(10 * largest) / 10) +
+            " degrees from one to the next, and 'Refine' makes facets of them, "
+            "whose results may be off by a third. Give the curved surface in "
+            "'Geometry', or a finer mesh.");
       }
 
       void
@@ -952,7 +967,9 @@ namespace Biface
                        "starts with a line of '*'.");
     MeshText raw = (text[first] == '$' ? read_gmsh(text, file_name)
                                        : read_abaqus(text, file_name));
-    prepare_mesh(raw, options, name);
-    return MeshBuilder(raw, name, options).build();
+    const std::vector<std::string> remarks = prepare_mesh(raw, options, name);
+    QuadrilateralMesh mesh = MeshBuilder(raw, name, options).build();
+    mesh.remarks.insert(mesh.remarks.begin(), remarks.begin(), remarks.end());
+    return mesh;
   }
 } // namespace Biface

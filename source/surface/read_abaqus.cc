@@ -92,6 +92,13 @@ namespace Biface
         return {};
       }
 
+      bool
+      is_curvilinear() const
+      {
+        const std::string system = in_capitals(parameter("SYSTEM"));
+        return !system.empty() && system != "R";
+      }
+
       void
       read_keyword()
       {
@@ -107,6 +114,8 @@ namespace Biface
           refuse("the mesh itself: an included file is not read");
         if (keyword == "PART" && ++n_parts > 1)
           refuse("one part only: write each to a file of its own");
+        if (keyword == "SYSTEM" || (keyword == "NODE" && is_curvilinear()))
+          refuse("Cartesian coordinates: other systems are not possible");
         if ((keyword == "NSET" || keyword == "ELSET") && set.empty())
           refuse("the name of a set");
         // SOLID SECTION is that of trusses, too

@@ -341,6 +341,7 @@ namespace Biface
         const std::string of_block = "numbers of a block of elements",
                           meaning  = "number and nodes of an element";
         text.require_line("the number of elements");
+        raw.repeats_cells = (version < 3);
         if (version < 3)
           {
             const std::size_t n = text.index_of("the number of elements");

@@ -16,6 +16,11 @@
 #include <biface/surface/known_surface.h>
 
 #ifdef DEAL_II_WITH_OPENCASCADE
+// faults in what it reads become exceptions
+#  define OCC_CONVERT_SIGNALS
+#  include <array>
+#  include <csignal>
+
 #  include <BRepBndLib.hxx>
 #  include <BRepBuilderAPI_MakeVertex.hxx>
 #  include <BRepExtrema_DistShapeShape.hxx>
@@ -25,8 +30,10 @@
 #  include <Message.hxx>
 #  include <Message_Messenger.hxx>
 #  include <Message_Printer.hxx>
+#  include <OSD.hxx>
 #  include <STEPControl_Reader.hxx>
 #  include <ShapeAnalysis_Surface.hxx>
+#  include <Standard_ErrorHandler.hxx>
 #  include <Standard_Failure.hxx>
 #  include <TopExp_Explorer.hxx>
 #  include <TopoDS.hxx>
@@ -128,6 +135,65 @@ namespace Biface
     }
 
 
+    /** Keeps the handlers of signals that OpenCASCADE replaces. */
+    class KeptSignals
+    {
+    public:
+      KeptSignals()
+      {
+        for (unsigned int i = 0; i < signals.size(); ++i)
+          sigaction(signals[i], nullptr, &handlers[i]);
+      }
+
+      ~KeptSignals()
+      {
+        for (unsigned int i = 0; i < signals.size(); ++i)
+          sigaction(signals[i], &handlers[i], nullptr);
+      }
+
+      KeptSignals(const KeptSignals &) = delete;
+      KeptSignals &
+      operator=(const KeptSignals &) = delete;
+
+    private:
+      static constexpr std::array<int, 9> signals{{SIGSEGV,
+                                                   SIGBUS,
+                                                   SIGFPE,
+                                                   SIGILL,
+                                                   SIGSYS,
+                                                   SIGHUP,
+                                                   SIGINT,
+                                                   SIGQUIT,
+                                                   SIGTERM}};
+      std::array<struct sigaction, 9>     handlers;
+    };
+
+
+    /** The shapes of the text of a file of STEP; null if it has none. A damaged
+     * file can make the reader access memory that is not there. */
+    TopoDS_Shape
+    read_shapes(const std::string &text, const std::string &name)
+    {
+      const KeptSignals kept;
+      OSD::SetSignal(OSD_SignalMode_Set, false);
+      try
+        {
+          OCC_CATCH_SIGNALS
+          std::istringstream stream(text);
+          STEPControl_Reader reader;
+          // in millimeters, whatever the unit of the file
+          if (reader.ReadStream(name.c_str(), stream) == IFSelect_RetDone &&
+              reader.TransferRoots() > 0)
+            return reader.OneShape();
+        }
+      catch (const Standard_Failure &)
+        {
+          // as if there were none
+        }
+      return {};
+    }
+
+
     class SurfaceOfStep : public KnownSurface
     {
     public:
@@ -144,22 +210,46 @@ namespace Biface
       }
 
       std::optional<Point<3>>
+      point_between(const Point<3>              &middle,
+                    const std::vector<Point<3>> &others,
+                    const double                 size) const override
+      {
+        // not on the other side of a wall
+        std::vector<BoundedShape> here;
+        for (const BoundedShape &face : faces)
+          if (std::any_of(
+                others.begin(), others.end(), [&](const Point<3> &other) {
+                  return is_on(face, to_point(other, unit), size);
+                }))
+            here.push_back(face);
+        const auto place =
+          to_mesh(closest_of(here, to_point(middle, unit)), unit);
+        if (!place)
+          return {};
+        // the closest point is beside the normal only where the surface ends
+        constexpr double   largest = 0.02;
+        const Tensor<1, 3> way     = *place - middle;
+        const Tensor<1, 3> along   = normal_of(here, *place, way, size);
+        double             length  = 0;
+        for (const Point<3> &other : others)
+          length = std::max(length, other.distance(middle));
+        if ((way - (way * along) * along).norm() > largest * length)
+          return {};
+        return place;
+      }
+
+      std::optional<Point<3>>
       middle_of_edge(const Point<3> &a,
                      const Point<3> &b,
                      const double    size) const override
       {
         const Point<3>            middle = a + (b - a) / 2;
-        const double              near   = unit * tolerance(size);
         std::pair<double, gp_Pnt> closest{
           std::numeric_limits<double>::infinity(), gp_Pnt()};
         for (const BoundedShape &edge : edges)
           {
-            bool has_both = true;
-            for (const gp_Pnt &end : {to_point(a, unit), to_point(b, unit)})
-              has_both = has_both &&
-                         edge.box.Distance(Bnd_Box(end, end)) <= near &&
-                         closest_of(edge.shape, end).first <= near;
-            if (!has_both)
+            if (!is_on(edge, to_point(a, unit), size) ||
+                !is_on(edge, to_point(b, unit), size))
               continue;
             const auto here = closest_of(edge.shape, to_point(middle, unit));
             if (here.first < closest.first)
@@ -174,13 +264,22 @@ namespace Biface
              const Tensor<1, 3> &direction,
              const double        size) const override
       {
+        return normal_of(faces, x, direction, size);
+      }
+
+    private:
+      Tensor<1, 3>
+      normal_of(const std::vector<BoundedShape> &some,
+                const Point<3>                  &x,
+                const Tensor<1, 3>              &direction,
+                const double                     size) const
+      {
         const gp_Pnt point = to_point(x, unit);
         const double near  = unit * tolerance(size);
         Tensor<1, 3> nearest;
-        for (const BoundedShape &face : faces)
+        for (const BoundedShape &face : some)
           {
-            if (face.box.Distance(Bnd_Box(point, point)) > near ||
-                !(closest_of(face.shape, point).first <= near))
+            if (!is_on(face, point, size))
               continue;
             const Handle(Geom_Surface) surface =
               BRep_Tool::Surface(TopoDS::Face(face.shape));
@@ -199,7 +298,14 @@ namespace Biface
         return nearest;
       }
 
-    private:
+      bool
+      is_on(const BoundedShape &part, const gp_Pnt &x, const double size) const
+      {
+        const double near = unit * tolerance(size);
+        return part.box.Distance(Bnd_Box(x, x)) <= near &&
+               closest_of(part.shape, x).first <= near;
+      }
+
       const std::vector<BoundedShape> faces, edges;
       /** That of the length of the mesh, in millimeters. */
       const double unit;
@@ -215,21 +321,9 @@ namespace Biface
   {
 #ifdef DEAL_II_WITH_OPENCASCADE
     Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));
-    try
-      {
-        std::istringstream stream(text);
-        STEPControl_Reader reader;
-        // in millimeters, whatever the unit of the file
-        if (reader.ReadStream(name.c_str(), stream) == IFSelect_RetDone &&
-            reader.TransferRoots() > 0)
-          if (const TopoDS_Shape whole = reader.OneShape();
-              TopExp_Explorer(whole, TopAbs_FACE).More())
-            return std::make_shared<const SurfaceOfStep>(whole, unit);
-      }
-    catch (const Standard_Failure &)
-      {
-        // answered below
-      }
+    const TopoDS_Shape whole = read_shapes(text, name);
+    if (!whole.IsNull() && TopExp_Explorer(whole, TopAbs_FACE).More())
+      return std::make_shared<const SurfaceOfStep>(whole, unit);
     throw InputError("the file '" + name +
                      "' of 'Surface/Mesh/Geometry file' must be one of STEP "
                      "with at least one face.");

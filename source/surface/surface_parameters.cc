@@ -115,29 +115,12 @@ namespace Biface
   } // namespace
 
 
-  namespace
-  {
-    std::vector<std::string>
-    remarks_on_mesh(const QuadrilateralMesh &mesh)
-    {
-      constexpr double remarkable = 1;
-      if (mesh.turn_of_facets < remarkable)
-        return {};
-      return {"Warning: the cells of 'Surface/Mesh/File' turn by up to " +
-              number_to_string(std::round(10 * mesh.turn_of_facets) / 10) +
-              " degrees from one to the next, and 'Refine' makes facets of "
-              "them, whose results may be off by a third. Give the curved "
-              "surface in 'Geometry', or a finer mesh."};
-    }
-  } // namespace
-
-
   std::vector<std::string>
   remarks_on_surface(const ReferenceSurface::Parameters &parameters)
   {
     using Parameters = ReferenceSurface::Parameters;
     if (parameters.type == Parameters::Type::mesh)
-      return remarks_on_mesh(*parameters.mesh.mesh);
+      return parameters.mesh.mesh->remarks;
     if (parameters.type != Parameters::Type::revolution ||
         (parameters.meridian != Parameters::MeridianType::spline &&
          parameters.meridian != Parameters::MeridianType::straight_line))

@@ -42,11 +42,12 @@ namespace
         const QuadrilateralMesh mesh = parse_mesh(text, "m.msh", options);
         std::cout << mesh.nodes.size() << " nodes, " << mesh.cells.size()
                   << " cells, " << mesh.free_sides.size() << " free sides, "
-                  << mesh.folds.size() << " folds, facets turn by "
-                  << mesh.turn_of_facets << ", groups";
+                  << mesh.folds.size() << " folds, groups";
         for (const auto &group : mesh.groups)
           std::cout << " '" << group.name << "' " << group.cells.size() << ' '
                     << group.sides.size() << ' ' << group.nodes.size();
+        for (const std::string &remark : mesh.remarks)
+          std::cout << "; " << remark;
         std::cout << std::endl;
       }
     catch (const InputError &error)
@@ -105,6 +106,17 @@ main()
                 "*NSET, NSET=all, GENERATE\n1, 6\n",
         refined(1));
 
+  print("set of a part",
+        nodes + "7, 0, 2, 0\n8, 1, 2, 0\n9, 2, 2, 0\n"
+                "*ELEMENT, TYPE=S4\n1, 1,2,5,4\n2, 2,3,6,5\n3, 4,5,8,7\n"
+                "4, 5,6,9,8\n*NSET, NSET=all, GENERATE\n1, 9\n",
+        refined(1));
+  print("cells on each other",
+        nodes + "*ELEMENT, TYPE=S4\n1, 1,2,5,4\n2, 1,2,5,4\n",
+        {});
+  print(
+    "cylindrical coordinates", "*NODE, SYSTEM=C\n1, 0, 0, 0\n2, 1, 0, 0\n", {});
+
   // an irregular part of a sphere
   const std::string part   = gmsh_text(irregular_mesh(4, 4, 0.25, hemisphere)),
                     sphere = "x^2 + y^2 + z^2 - 100";
@@ -149,6 +161,16 @@ main()
   std::cout << "roof: " << folded.folds.size() << " sides of folds"
             << std::endl;
   check_small("normals of the roof", turned, 1e-9);
+
+  // not the inner side of a wall, and no normal where formulas meet
+  print("inner side",
+        part,
+        refined(1, "(x^2 + y^2 + z^2 - 100)*(x^2 + y^2 + z^2 - 99)"));
+  const SurfaceOfFormula pyramid(
+    Formula("Geometry", "x < 0 ? z - x : sinh(z + x)", {"x", "y", "z"}));
+  check_small("normal at a kink",
+              pyramid.normal(Point<3>(), Tensor<1, 3>({0, 0, 1}), 1).norm(),
+              1e-14);
 
   // an open seam
   MeshOptions merged;

@@ -45,6 +45,16 @@ main()
         on_wall->distance(Point<3>(0.6 * r / far, 0.7 * r / far, 0.3 * h)),
         1e-9,
         r);
+      // through the wall, on the side where the others are
+      check_small(
+        "between points of the lid",
+        surface
+          ->point_between(Point<3>(0.9 * r, 0, 0.8 * h),
+                          {Point<3>(0.8 * r, 0, h), Point<3>(0, 0, h)},
+                          size)
+          ->distance(Point<3>(0.9 * r, 0, h)),
+        1e-9,
+        r);
       // above the lid, and beside it
       check_small(
         "lid",
@@ -77,6 +87,27 @@ main()
                   surface->normal(Point<3>(), outward, size).norm(),
                   1e-9);
     }
+
+  // wrong references, in turn
+  unsigned int n_answered = 0;
+  for (unsigned int i = 0; i < 8; ++i)
+    {
+      std::string damaged  = text.str();
+      std::size_t position = damaged.find("DATA;");
+      for (unsigned int k = 0; k < 25 * i + 3; ++k)
+        position = damaged.find(",#", position + 1);
+      damaged[position + 1] = '9';
+      try
+        {
+          surface_of_step(damaged, "damaged.step", 1);
+          ++n_answered;
+        }
+      catch (const InputError &)
+        {
+          ++n_answered;
+        }
+    }
+  check_true("damaged files are answered", n_answered == 8);
 
   for (const std::string &wrong : {std::string("ISO-10303-21;\nHEADER;\n"),
                                    std::string("solid of another program")})

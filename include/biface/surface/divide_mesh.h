@@ -4,6 +4,7 @@
 #define biface_surface_divide_mesh_h
 
 #include <string>
+#include <vector>
 
 namespace Biface
 {
@@ -25,8 +26,9 @@ namespace Biface
    * if none is found for a new one, or if there would be too many cells.
    *
    * @param name that of the mesh, for messages.
+   * @return sentences about sets that may be meant otherwise.
    */
-  void
+  std::vector<std::string>
   prepare_mesh(MeshText          &mesh,
                const MeshOptions &options,
                const std::string &name);

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <biface/input/formula.h>
 
@@ -27,6 +28,14 @@ namespace Biface
     virtual std::optional<dealii::Point<3>>
     closest_point(const dealii::Point<3> &x, const double size) const = 0;
 
+    /** The point of the surface next to the middle of other points of it, on
+     * the part of the surface on which these are; nothing if none is found.
+     * @param size the size of the whole mesh. Unit: length. */
+    virtual std::optional<dealii::Point<3>>
+    point_between(const dealii::Point<3>              &middle,
+                  const std::vector<dealii::Point<3>> &others,
+                  const double                         size) const = 0;
+
     /** The point in the middle of two points of a line at which the surface
      * ends or has a fold; nothing if none is found.
      * @param size the size of the whole mesh. Unit: length. */
@@ -39,7 +48,7 @@ namespace Biface
     }
 
     /** A unit normal at a point of the surface; where there are several, that
-     * next to a direction. Zero if there is none.
+     * next to a direction. Zero if there is none, as at a kink.
      * @param size the size of the whole mesh. Unit: length. */
     virtual dealii::Tensor<1, 3>
     normal(const dealii::Point<3>     &x,
@@ -60,6 +69,11 @@ namespace Biface
     std::optional<dealii::Point<3>>
     closest_point(const dealii::Point<3> &x, const double size) const override;
 
+    std::optional<dealii::Point<3>>
+    point_between(const dealii::Point<3>              &middle,
+                  const std::vector<dealii::Point<3>> &others,
+                  const double                         size) const override;
+
     dealii::Tensor<1, 3>
     normal(const dealii::Point<3>     &x,
            const dealii::Tensor<1, 3> &direction,
@@ -70,6 +84,15 @@ namespace Biface
     value(const dealii::Point<3> &x) const
     {
       return formula.unchecked({x[0], x[1], x[2]});
+    }
+
+    /** The step of differences, for which errors of rounding and of the
+     * difference are about equal where features are a hundredth as large as the
+     * mesh. */
+    static double
+    step(const double size)
+    {
+      return 1e-6 * size;
     }
 
     dealii::Tensor<1, 3>

@@ -34,6 +34,9 @@ namespace Biface
       /** The groups to which the element belongs, by their numbers. */
       std::vector<long> groups;
     };
+    /** Whether an element occurs once for each of its groups. */
+    bool repeats_cells = false;
+
     /** The points, the lines and the cells. */
     std::array<std::vector<Element>, 3> elements;
 

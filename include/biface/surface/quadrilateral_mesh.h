@@ -93,10 +93,10 @@ namespace Biface
     /** The nodes at one place that belong to different parts. */
     std::vector<std::vector<unsigned int>> joints;
 
-    /** The largest angle by which the surface turns between cells of the file
-     * that are divided where no surface is known: their parts are facets. Zero
-     * if there are none. Unit: degrees. */
-    double turn_of_facets = 0;
+    /** Sentences about what may be meant otherwise: sets of nodes of divided
+     * cells, and facets that turn against each other where no surface is known.
+     */
+    std::vector<std::string> remarks;
 
     /** Corners that the inner, or outer, faces of three or more parts enclose:
      * their nodes, counterclockwise about the outward normal. */
