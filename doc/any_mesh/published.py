@@ -64,7 +64,8 @@ def cylindrical_patch(runner, kind, size, loads):
 
 
 MOMENT = {"Loads/Edge moments": "east: 1000 dead"}
-PRESSURE = {"Loads/Pressure type": "dead", "Stage 1/Pressure": 0.6e6,
+# on the inner face, whose radius is 0.995
+PRESSURE = {"Loads/Pressure type": "dead", "Stage 1/Pressure": 0.6e6 / 0.995,
             # along the tangent at 30 degrees
             "Loads/Edge forces": f"east: {0.6e6 * np.cos(np.pi / 6)} 0 {-0.3e6}"}
 

@@ -61,6 +61,7 @@ HEADINGS = {
     "hinged_roof_thin": "Hinged roof, thickness 6.35",
     "hinged_roof_thin_0_90_0": "Hinged roof, thickness 6.35, [0/90/0]",
     "hinged_roof_thin_90_0_90": "Hinged roof, thickness 6.35, [90/0/90]",
+    "linear_under_pressure": "Ring under pressure",
     "membrane_on_sphere": "Membrane on a sphere",
     "modes_fv52": "Vibration of a thick square plate, NAFEMS FV52",
     "modes_khdeir_30_2": "Vibration of a square plate of 2 plies [30/-30]",
@@ -150,7 +151,8 @@ PURPOSES = [
       "pinched_free_cylinder_1000000", "stepped_strip", "eccentric_pull"]),
     ("Linear shells",
      "Bending and membrane action of curved shells, with small displacements.",
-     ["scordelis_lo", "pinched_cylinder", "hemisphere", "torus_membrane"]),
+     ["scordelis_lo", "pinched_cylinder", "hemisphere", "torus_membrane",
+      "linear_under_pressure", "sphere_under_pressure"]),
     ("Large displacements and rotations",
      "Deviations of one percent are those of the quadratic terms of the strains, "
      "see the hinged roof of thickness 12.7, or of the published values.",
