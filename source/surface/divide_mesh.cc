@@ -395,8 +395,9 @@ namespace Biface
       {
         if (mesh.node_sets.empty())
           return;
-        for (auto &[set_name, nodes] : mesh.node_sets)
+        for (auto &named : mesh.node_sets)
           {
+            std::vector<unsigned int>   &nodes = named.second;
             const std::set<unsigned int> set(nodes.begin(), nodes.end());
             const auto for_each_side = [&](const auto &visit) {
               for (const auto &[side, cells] : cells_of_side)
@@ -443,7 +444,7 @@ namespace Biface
               if (is_inner(corners))
                 nodes.push_back(center);
             if (is_ambiguous)
-              ambiguous_sets.insert(set_name);
+              ambiguous_sets.insert(named.first);
           }
       }
 
