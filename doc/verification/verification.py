@@ -1013,10 +1013,19 @@ def is_curved(prm):
                          prm.read_text(encoding="utf-8"), re.MULTILINE)
 
 
+def has_both(arguments, prm):
+    """Whether the element of the paper is possible, too."""
+    return subprocess.run([arguments.program, "--check", prm, "--set", "Formulation=paper"],
+                          check=False, stdout=subprocess.DEVNULL,
+                          stderr=subprocess.DEVNULL).returncode == 0
+
+
 def formulations(arguments, prms):
     """The chapter that compares those of 'Formulation'."""
     rows = []
-    for prm in filter(is_curved, prms):
+    for prm in prms:
+        if not is_curved(prm) or not has_both(arguments, prm):
+            continue
         expected = read_expected(prm)
         found = {name: [deviations(run, expected) for run in
                         on_meshes(arguments, prm, f" {name}",
