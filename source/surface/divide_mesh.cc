@@ -14,6 +14,7 @@
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/surface/close_pairs.h>
 #include <biface/surface/divide_mesh.h>
 #include <biface/surface/known_surface.h>
 #include <biface/surface/mesh_options.h>
@@ -97,23 +98,13 @@ namespace Biface
             i = first[i] = first[first[i]];
           return i;
         };
-        // along x, so that few pairs of nodes need to be compared
-        std::vector<unsigned int> sorted = first;
-        std::sort(sorted.begin(),
-                  sorted.end(),
-                  [&](const unsigned int a, const unsigned int b) {
-                    return mesh.nodes[a][0] < mesh.nodes[b][0];
-                  });
-        for (auto a = sorted.begin(); a != sorted.end(); ++a)
-          for (auto b = a + 1;
-               b != sorted.end() &&
-               mesh.nodes[*b][0] - mesh.nodes[*a][0] <= distance;
-               ++b)
-            if (mesh.nodes[*a].distance(mesh.nodes[*b]) <= distance)
-              {
-                const unsigned int i = root(*a), j = root(*b);
-                first[std::max(i, j)] = std::min(i, j);
-              }
+        for_close_pairs(mesh.nodes,
+                        first,
+                        distance,
+                        [&](const unsigned int a, const unsigned int b) {
+                          const unsigned int i = root(a), j = root(b);
+                          first[std::max(i, j)] = std::min(i, j);
+                        });
         for (auto &elements : mesh.elements)
           for (MeshText::Element &element : elements)
             {

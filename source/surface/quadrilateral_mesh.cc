@@ -16,6 +16,7 @@
 
 #include <biface/base/errors.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/surface/close_pairs.h>
 #include <biface/surface/divide_mesh.h>
 #include <biface/surface/known_surface.h>
 #include <biface/surface/mesh_options.h>
@@ -457,27 +458,19 @@ namespace Biface
         for (const auto &side : cells_of_side)
           if (side.second.size() == 1)
             ends.insert(side.first.begin(), side.first.end());
-        std::vector<unsigned int> sorted_nodes(ends.begin(), ends.end());
-        double                    size = 0;
+        double size = 0;
         for (const Point<3> &x : mesh.nodes)
           size = std::max(size, x.distance(mesh.nodes[0]));
-        const double tolerance = 1e-7 * size;
-        // along x, so that few pairs of nodes need to be compared
-        std::sort(sorted_nodes.begin(),
-                  sorted_nodes.end(),
-                  [&](const unsigned int a, const unsigned int b) {
-                    return mesh.nodes[a][0] < mesh.nodes[b][0];
-                  });
-        for (auto a = sorted_nodes.begin(); a != sorted_nodes.end(); ++a)
-          for (auto b = a + 1;
-               b != sorted_nodes.end() &&
-               mesh.nodes[*b][0] - mesh.nodes[*a][0] <= tolerance;
-               ++b)
-            if (mesh.nodes[*a].distance(mesh.nodes[*b]) <= tolerance)
-              refuse(node_in_words(*a) + " and the node " +
-                     std::to_string(mesh.node_numbers[*b]) +
-                     " are at the same place, where the shell would come "
-                     "apart; merge them (Gmsh: 'Coherence Mesh').");
+        for_close_pairs(
+          mesh.nodes,
+          {ends.begin(), ends.end()},
+          1e-7 * size,
+          [&](const unsigned int a, const unsigned int b) {
+            refuse(node_in_words(a) + " and the node " +
+                   std::to_string(mesh.node_numbers[b]) +
+                   " are at the same place, where the shell would come "
+                   "apart; merge them (Gmsh: 'Coherence Mesh').");
+          });
       }
 
       /** Give each smooth part of the surface nodes of its own, and find the

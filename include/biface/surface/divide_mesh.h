@@ -18,8 +18,8 @@ namespace Biface
    * quadrilateral into four, a line into two; the parts belong to the same
    * groups. The new nodes in the middle of sides and cells are on the known
    * surface, if there is one. A set of nodes gets those on the free sides and
-   * folds between its nodes, and all others between nodes that are not of
-   * these.
+   * folds between its nodes, and others unless they are between nodes of such
+   * sides and beside no cell inside the set.
    *
    * Throws InputError if nodes that are united belong to one cell, if a node of
    * the file is not on the known surface within a tenth of its shortest side,
