@@ -14,7 +14,7 @@ namespace Biface
 
   namespace
   {
-    const std::string header =
+    const std::string table_header =
       "point,status,axes,load,pressure,velocity,inclination_angle,slip_angle,"
       "slip_ratio,"
       "F_x,F_y,F_z,M_x,M_y,M_z,angular_velocity,rolling_radius,loaded_radius,"
@@ -93,7 +93,7 @@ namespace Biface
       rows[position] = row(position, &point, "ok");
     for (const auto &[position, failure] : failures)
       rows[position] = row(position, nullptr, cell(failure));
-    std::string text = header;
+    std::string text = table_header;
     for (const auto &[position, line] : rows)
       text += line;
     write_text(directory.path(file_name), text, false, directory.communicator);

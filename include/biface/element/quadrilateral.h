@@ -192,6 +192,14 @@ namespace Biface
       return weight;
     }
 
+    /** The factors of the squares of the coefficients 1, 2 and 12 of the
+     * director in the constant thickness strain. */
+    std::array<double, 3>
+    thickness_strain_of_tilt() const
+    {
+      return {{of_directors[0][1], of_directors[0][2], of_directors[0][3]}};
+    }
+
     /** The axes of the material in the rows, and the normal of the cell. */
     const dealii::Tensor<2, 3> &
     material_frame() const

@@ -181,14 +181,18 @@ namespace Biface
     for (unsigned int c = 0; c < n; ++c)
       {
         gradient = 0;
-        for (const Cell &cell : mesh.wall_elements())
+        for (const Cell &cell : mesh.cells)
           if (grid.cell_index(cell.column)[1] == c)
-            mesh.add_nodal_forces(
-              cell,
-              FollowerPressure(
-                cell.geometry, mesh.cell_values(state.displacement, cell), face)
-                .force(),
-              gradient);
+            {
+              const MixedElement::NodalVector V =
+                mesh.cell_values(state.displacement, cell);
+              MixedElement::NodalVector force;
+              if (cell.is_wall)
+                force = FollowerPressure(cell.geometry, V, face).force();
+              if (directors.act_on(cell.position))
+                directors.add_force(1, cell, V, force);
+              mesh.add_nodal_forces(cell, force, gradient);
+            }
         gradient.compress(VectorOperation::add);
         result.gradients.emplace_back();
         for (const auto i : mesh.locally_owned)

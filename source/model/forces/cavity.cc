@@ -72,6 +72,7 @@ namespace Biface
     , rim_radius(parameters.rim_radius ? *parameters.rim_radius
                                        : radius_of_edges())
     , gaps(gaps_at_folds(mesh, face))
+    , directors(mesh, face)
     , within_rim(mesh.owned_vector())
   {
     const bool has_chart = mesh.get_surface().has_chart();
@@ -223,10 +224,18 @@ namespace Biface
     const auto values = [&](const Cell &cell) {
       return V ? mesh.cell_values(*V, cell) : MixedElement::NodalVector();
     };
-    for (const Cell &cell : mesh.wall_elements())
+    for (const Cell &cell : mesh.cells)
       {
-        MixedElement::NodalVector of_cell;
-        sum += flux(cell, values(cell), gradient ? &of_cell : nullptr);
+        MixedElement::NodalVector       of_cell;
+        const MixedElement::NodalVector v = values(cell);
+        if (cell.is_wall)
+          sum += flux(cell, v, gradient ? &of_cell : nullptr);
+        if (directors.act_on(cell.position))
+          {
+            sum += directors.volume(cell, v);
+            if (gradient)
+              directors.add_force(1, cell, v, of_cell);
+          }
         if (gradient)
           mesh.add_nodal_forces(cell, of_cell, *gradient);
       }

@@ -300,10 +300,6 @@ class ParameterFile:
             if self.tread == "layer" else "one"
         if self.tread == "layer":
             words += " and tread, which shears with it in series with all plies inside them"
-        if self.design.is_radial and self.tread == "bristles":
-            yield comment("The wall is thin beside the cells behind the axle. Under pressure it "
-                          "rolls on them with the element of the paper, with the standard one "
-                          "not always.") + "\nset Formulation = paper"
         yield comment(f"Inner ply first: {words}.") + "\n" + section(
             "Laminate", ("Angle reference", "circumference"),
             ("Reference surface", reference), ("Layers", layers), ("Plies", self.plies()))

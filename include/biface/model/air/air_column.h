@@ -11,6 +11,7 @@
 
 #include <biface/base/linear_algebra.h>
 #include <biface/laminate/resultants.h>
+#include <biface/model/mesh/pressed_directors.h>
 #include <biface/model/mesh/shell_mesh.h>
 
 namespace Biface
@@ -113,6 +114,7 @@ namespace Biface
       , ambient_pressure(ambient_pressure)
       , rim_radius(rim_radius)
       , face(face)
+      , directors(mesh, face)
     {}
 
     /** The motions about a state under a pressure. Must be called on all
@@ -125,6 +127,7 @@ namespace Biface
     const Parameters       parameters;
     const double           ambient_pressure, rim_radius;
     const Resultants::Face face;
+    const PressedDirectors directors;
   };
 } // namespace Biface
 

@@ -12,6 +12,7 @@
 #include <biface/base/linear_algebra.h>
 #include <biface/laminate/resultants.h>
 #include <biface/model/forces/gaps_at_folds.h>
+#include <biface/model/mesh/pressed_directors.h>
 #include <biface/model/mesh/shell_mesh.h>
 
 namespace Biface
@@ -143,6 +144,7 @@ namespace Biface
     dealii::Tensor<1, 3> origin;
     /** The gaps at folds of the face. */
     const std::vector<GapAtFold> gaps;
+    const PressedDirectors       directors;
     /** The derivative of what planes within the rim at the edges sweep. */
     LA::Vector within_rim;
     /** The volume under the undeformed shell, less the flux of its cells. */
