@@ -260,11 +260,7 @@ namespace Biface
                                   step.report.level.wheel_turn,
                                   step.report.level.inclination_angle};
                         }});
-    if (std::any_of(equations.get_terms().begin(),
-                    equations.get_terms().end(),
-                    [](const ForceTerm *term) {
-                      return term->other_body() == Inertia::body;
-                    }))
+    if (Inertia::is_among(equations.get_terms()))
       groups.push_back(group_of_motion(!mesh.get_layup().relaxes()));
     const TensionMembers members(mesh.get_layup());
     if (members.exist())

@@ -18,7 +18,7 @@ namespace Biface
   namespace
   {
     std::vector<std::string>
-    dataset_names(const Layup &layup, const bool rolls)
+    dataset_names(const Layup &layup, const bool moves, const bool rolls)
     {
       std::vector<std::string> names{"displacement",
                                      "displacement",
@@ -42,6 +42,8 @@ namespace Biface
         names.emplace_back("slack_cords");
       if (layup.n_layers() > 1)
         names.emplace_back("layer");
+      if (moves)
+        names.insert(names.end(), 3, "velocity");
       if (rolls)
         names.insert(names.end(), 3, "slip_velocity");
       return names;
@@ -53,12 +55,14 @@ namespace Biface
                            const State                     &state,
                            const Loads                     &loads,
                            const std::vector<Tensor<1, 3>> &slip_velocities)
-    : VertexPatches<2>(
-        dataset_names(equations.mesh.get_layup(), !slip_velocities.empty()))
+    : VertexPatches<2>(dataset_names(equations.mesh.get_layup(),
+                                     state.velocity.size() > 0,
+                                     !slip_velocities.empty()))
   {
     using namespace Resultants;
 
-    const ShellMesh                     &mesh = equations.mesh;
+    const ShellMesh                     &mesh  = equations.mesh;
+    const bool                           moves = (state.velocity.size() > 0);
     std::map<unsigned int, ContactState> zones;
     for (const auto &[number, body] : loads.bodies)
       zones[number] = contact_at_nodes(mesh, state, number, *body);
@@ -85,9 +89,11 @@ namespace Biface
                 const Node &node  = mesh.nodes[cell.nodes[v]];
                 patch.vertices[v] = mesh.position_of_any_face(
                   state.displacement, node, cell.layer + face);
-                const Tensor<1, 3> u =
-                  node.surface.from_frame(mesh.displacement_of_any_face(
-                    state.displacement, node, cell.layer + face));
+                const auto of_face = [&](const LA::Vector &vector) {
+                  return node.surface.from_frame(mesh.displacement_of_any_face(
+                    vector, node, cell.layer + face));
+                };
+                const Tensor<1, 3> u = of_face(state.displacement);
 
                 unsigned int d = 0;
                 for (unsigned int i = 0; i < 3; ++i)
@@ -132,6 +138,12 @@ namespace Biface
                   patch.data(d++, v) = slack[v];
                 if (mesh.n_layers() > 1)
                   patch.data(d++, v) = cell.layer + 1;
+                if (moves)
+                  {
+                    const Tensor<1, 3> velocity = of_face(state.velocity);
+                    for (unsigned int i = 0; i < 3; ++i)
+                      patch.data(d++, v) = velocity[i];
+                  }
                 if (!slip_velocities.empty())
                   for (unsigned int i = 0; i < 3; ++i)
                     patch.data(d++, v) =

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The VTU file contains one quadrilateral for each face of each cell, at the
-// deformed positions, and the displacement as a vector.
+// deformed positions, and the displacement and the velocity as vectors.
 
 #include <deal.II/base/mpi.h>
 
@@ -30,6 +30,7 @@ main(int argc, char *argv[])
   const ShellEquations equations(*mesh);
   State                state(*mesh);
   state.displacement = some_displacement(*mesh, 3, 1);
+  state.velocity     = some_displacement(*mesh, 200, 2);
 
   const FacePatches patches(equations, state, Loads());
   std::stringstream stream;

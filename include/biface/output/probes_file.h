@@ -8,7 +8,7 @@
 namespace Biface
 {
   /** probes.csv: displacements of both faces and of the middle surface at the
-   * named points. */
+   * named points, and their velocities if a stage goes through time. */
   class ProbesFile : public StepTable
   {
   public:
@@ -21,6 +21,8 @@ namespace Biface
   private:
     void
     write(const StepReport &report, const State &state) override;
+
+    const bool with_velocities;
   };
 } // namespace Biface
 

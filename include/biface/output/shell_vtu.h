@@ -18,8 +18,8 @@ namespace Biface
   /**
    * Both faces of the deformed shell: one quadrilateral per face of every
    * locally owned cell. Data: the displacement, the contact pressure, the
-   * active set, the face, the resultants, friction, and, if the shell rolls,
-   * the slip velocity.
+   * active set, the face, the resultants, friction, and, if the shell moves or
+   * rolls, the velocity or the slip velocity.
    */
   class FacePatches : public VertexPatches<2>
   {

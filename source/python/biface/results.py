@@ -234,7 +234,8 @@ class Results:
         return table.where(np.isin(table["step"], self.steps))
 
     def probes(self, face: str = "middle") -> Table | None:
-        """probes.csv: the displacements of the named points, of one face."""
+        """probes.csv: the displacements of the named points, of one face, and in runs with
+        inertia their velocities, NaN in other stages."""
         table = self._growing_table("probes.csv", PROBE_COLUMNS)
         return None if table is None else table.where(face=face)
 

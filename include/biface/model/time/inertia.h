@@ -3,6 +3,10 @@
 #ifndef biface_model_time_inertia_h
 #define biface_model_time_inertia_h
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include <biface/model/forces/force_term.h>
 
 namespace Biface
@@ -41,6 +45,16 @@ namespace Biface
     /** The name of the forces, under which a State also contains what the next
      * step needs for its error, see remember_motion(). */
     static constexpr const char *body = "inertia";
+
+    /** Whether inertia is one of the terms: whether a stage of the run goes
+     * through time. */
+    static bool
+    is_among(const std::vector<const ForceTerm *> &terms)
+    {
+      return std::any_of(terms.begin(), terms.end(), [](const ForceTerm *term) {
+        return term->other_body() == body;
+      });
+    }
 
     std::string
     other_body() const override
