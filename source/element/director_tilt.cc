@@ -91,17 +91,38 @@ namespace Biface
                              const MixedElement::NodalVector &V,
                              MixedElement::NodalVector       &gradient) const
   {
-    Vectors d = changes(V);
+    add_mean_gradient(factor, V, V, gradient);
+  }
+
+
+  void
+  DirectorTilt::add_mean_gradient(const double                     factor,
+                                  const MixedElement::NodalVector &start,
+                                  const MixedElement::NodalVector &end,
+                                  MixedElement::NodalVector &gradient) const
+  {
+    Vectors d = changes(start), d_end = changes(end);
     for (unsigned int k = 0; k < n; ++k)
-      d[k] += undeformed[k];
-    const auto [weighted, all] = sums(d, weights);
+      {
+        d[k] += undeformed[k];
+        d_end[k] += undeformed[k];
+      }
+    const auto [weighted_start, all_start] = sums(d, weights);
+    const auto [weighted_end, all_end]     = sums(d_end, weights);
+    for (unsigned int k = 0; k < n; ++k)
+      d[k] = (d[k] + d_end[k]) / 2;
+
+    // N_1/M_1 - N_0/M_0 = ((N_1 - N_0) M - (M_1 - M_0) N)/(M_0 M_1) with the
+    // means N and M
+    const double weighted = (weighted_start + weighted_end) / 2,
+                 all      = (all_start + all_end) / 2;
+    const double scale = 2 * factor * geometry.weight / (all_start * all_end);
     for (unsigned int q = 0; q < 4; ++q)
       {
         Tensor<1, 3> sum;
         for (unsigned int k = 0; k < n; ++k)
-          sum += factor_of(k, q) * (weights[k] - weighted / all) * d[k];
-        sum = 2 * factor * geometry.weight / all *
-              (transpose(geometry.vertices[q].axes) * sum);
+          sum += factor_of(k, q) * (weights[k] * all - weighted) * d[k];
+        sum = scale * (transpose(geometry.vertices[q].axes) * sum);
         for (unsigned int i = 0; i < 3; ++i)
           gradient[MixedElement::dof(q, i, MixedElement::half_difference)] +=
             sum[i];

@@ -2,8 +2,9 @@
 
 // Directors that tilt in turn by an angle have the tilt A sin^2/2 on a thin
 // cell, whatever its thickness, and less where the thickness strain is that of
-// the mean director. Rigid motions of a curved cell have none, and its gradient
-// and its second derivative are those of its values.
+// the mean director. Rigid motions of a curved cell have none, its gradient
+// and its second derivative are those of its values, and the mean of the
+// gradient between two states gives their difference.
 
 #include <deal.II/physics/transformations.h>
 
@@ -117,6 +118,14 @@ main()
           norm = std::max(norm, std::abs(second[i][j]));
         }
     }
+  const MixedElement::NodalVector end =
+    V + some_vector<MixedElement::n_dofs>(1, 2);
+  MixedElement::NodalVector mean;
+  tilt.add_mean_gradient(1, V, end, mean);
+  check_small("mean gradient",
+              mean * (end - V) - (tilt.value(end) - tilt.value(V)),
+              1e-13,
+              mean.norm() * (end - V).norm());
   check_small("gradient", gradient_error, 1e-7, gradient.norm());
   check_small("second derivative", second_error, 1e-7, norm);
 }

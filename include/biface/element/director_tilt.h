@@ -50,6 +50,16 @@ namespace Biface
                  const MixedElement::NodalVector &V,
                  MixedElement::NodalVector       &gradient) const;
 
+    /** Add the mean of the derivative between two states, times a factor: its
+     * product with the displacement from one to the other is the change of T,
+     * and it is that of the mean of both directors but for the square of the
+     * displacement. */
+    void
+    add_mean_gradient(const double                     factor,
+                      const MixedElement::NodalVector &start,
+                      const MixedElement::NodalVector &end,
+                      MixedElement::NodalVector       &gradient) const;
+
     /** Add the second derivative of T, times a factor. */
     void
     add_second_derivative(const double                     factor,

@@ -8,6 +8,7 @@
 #include <biface/model/forces/end_plates.h>
 #include <biface/model/forces/joints.h>
 #include <biface/model/forces/pressure_at_folds.h>
+#include <biface/model/forces/pressure_on_directors.h>
 
 namespace Biface
 {
@@ -20,6 +21,9 @@ namespace Biface
     ForceTerms terms;
     terms.push_back(std::make_unique<DeadForces>(mesh, dead_loads));
     terms.push_back(std::make_unique<PressureForces>(mesh, pressure));
+    if (pressure.kind == PressureKind::follower &&
+        mesh.formulation != Formulation::paper)
+      terms.push_back(std::make_unique<PressureOnDirectors>(mesh, pressure));
     if (mesh.n_folds() > 0)
       {
         terms.push_back(std::make_unique<Joints>(mesh));

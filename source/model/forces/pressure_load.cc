@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
-#include <numeric>
 
 #include <biface/base/errors.h>
-#include <biface/element/follower_pressure.h>
 #include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 #include <biface/model/forces/pressure_load.h>
@@ -142,7 +140,6 @@ namespace Biface
     : mesh(mesh)
     , kind(pressure.kind)
     , face(pressure.face)
-    , directors(mesh, pressure.face)
     , distribution(pressure.values(mesh))
   {
     if (kind == PressureKind::dead)
@@ -150,41 +147,23 @@ namespace Biface
   }
 
 
-  void
-  PressureForces::add_unit_pressure(const CellState           &at,
-                                    const double               factor,
-                                    MixedElement::NodalVector &force,
-                                    MixedElement::NodalMatrix *tangent) const
+  FollowerPressure
+  PressureForces::unit_pressure(const CellState &at) const
   {
     std::array<double, 4> pressure;
     for (unsigned int v = 0; v < 4; ++v)
       pressure[v] = distribution[at.cell.nodes[v]];
-
-    if (at.cell.is_wall)
-      {
-        const FollowerPressure on_face(at.cell.geometry, at.V, face, pressure);
-        force += factor * on_face.force();
-        if (tangent)
-          on_face.add_derivative(-factor, *tangent);
-      }
-    if (directors.act_on(at.index))
-      {
-        const double mean =
-          std::accumulate(pressure.begin(), pressure.end(), 0.) / 4;
-        directors.add_force(factor * mean, at.cell, at.V, force);
-        if (tangent)
-          directors.add_derivative(-factor * mean, at.cell, at.V, *tangent);
-      }
+    return FollowerPressure(at.cell.geometry, at.V, face, pressure);
   }
 
 
   void
   PressureForces::add(const CellState &at, CellForces &forces) const
   {
-    add_unit_pressure(at,
-                      at.loads.pressure,
-                      forces.load,
-                      forces.with_tangent ? &forces.tangent : nullptr);
+    const FollowerPressure unit = unit_pressure(at);
+    forces.load += at.loads.pressure * unit.force();
+    if (forces.with_tangent)
+      unit.add_derivative(-at.loads.pressure, forces.tangent);
   }
 
 
@@ -193,7 +172,7 @@ namespace Biface
                                       const LoadRates           &rates,
                                       MixedElement::NodalVector &force) const
   {
-    add_unit_pressure(at, rates.pressure, force);
+    force += rates.pressure * unit_pressure(at).force();
   }
 
 

@@ -90,6 +90,19 @@ namespace Biface
 
 
   void
+  PressedDirectors::add_mean_force(const double                     pressure,
+                                   const Cell                      &cell,
+                                   const MixedElement::NodalVector &start,
+                                   const MixedElement::NodalVector &end,
+                                   MixedElement::NodalVector       &force) const
+  {
+    DirectorTilt(cell.geometry)
+      .add_mean_gradient(
+        -pressure * distances[cell.position], start, end, force);
+  }
+
+
+  void
   PressedDirectors::add_derivative(const double                     pressure,
                                    const Cell                      &cell,
                                    const MixedElement::NodalVector &V,

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
+#include <biface/element/follower_pressure.h>
 #include <biface/input/formula.h>
 #include <biface/model/forces/force_term.h>
-#include <biface/model/mesh/pressed_directors.h>
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/state/load_rates.h>
 #include <biface/surface/chart_grid.h>
@@ -80,8 +80,7 @@ namespace Biface
             const State &,
             const Loads &) const override
     {
-      return kind == PressureKind::follower &&
-             (mesh.cells[cell].is_wall || directors.act_on(cell));
+      return kind == PressureKind::follower && mesh.cells[cell].is_wall;
     }
 
     void
@@ -100,18 +99,13 @@ namespace Biface
     is_symmetric(const Loads &loads) const override;
 
   private:
-    /** Add the forces of a unit pressure on the deformed face of a cell, times
-     * a factor, and to @p tangent minus their derivative unless it is null. */
-    void
-    add_unit_pressure(const CellState           &at,
-                      const double               factor,
-                      MixedElement::NodalVector &force,
-                      MixedElement::NodalMatrix *tangent = nullptr) const;
+    /** The forces of a unit pressure on the deformed face of a cell. */
+    FollowerPressure
+    unit_pressure(const CellState &at) const;
 
     const ShellMesh       &mesh;
     const PressureKind     kind;
     const Resultants::Face face;
-    const PressedDirectors directors;
     /** The distribution of the pressure at the nodes of this rank, see
      * PressureLoad::values(). */
     const std::vector<double> distribution;

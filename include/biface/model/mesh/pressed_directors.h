@@ -61,7 +61,16 @@ namespace Biface
               const MixedElement::NodalVector &V,
               MixedElement::NodalVector       &force) const;
 
-    /** Add the derivative of the forces, times a factor. */
+    /** Add the mean of the forces between two states, which does the work of
+     * the change of the volume. */
+    void
+    add_mean_force(const double                     pressure,
+                   const Cell                      &cell,
+                   const MixedElement::NodalVector &start,
+                   const MixedElement::NodalVector &end,
+                   MixedElement::NodalVector       &force) const;
+
+    /** Add the derivative of the forces. */
     void
     add_derivative(const double                     pressure,
                    const Cell                      &cell,
