@@ -53,8 +53,11 @@ namespace Biface
       // plates close it down to the axis
       if (!parameters.pressure.end_plates.empty())
         cavity.rim_radius = 0;
-      return std::make_unique<const Cavity>(
-        mesh, cavity, parameters.pressure.face);
+      return std::make_unique<const Cavity>(mesh,
+                                            cavity,
+                                            parameters.pressure.face,
+                                            parameters.pressure.kind ==
+                                              PressureKind::follower);
     }
 
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include <biface/base/errors.h>
@@ -65,14 +66,15 @@ namespace Biface
 
   Cavity::Cavity(const ShellMesh       &mesh,
                  const Parameters      &parameters,
-                 const Resultants::Face face)
+                 const Resultants::Face face,
+                 const bool             follows)
     : mesh(mesh)
     , face(face)
     , axis(mesh.get_surface().axis())
     , rim_radius(parameters.rim_radius ? *parameters.rim_radius
                                        : radius_of_edges())
     , gaps(gaps_at_folds(mesh, face))
-    , directors(mesh, face)
+    , directors(mesh, face, follows)
     , within_rim(mesh.owned_vector())
   {
     const bool has_chart = mesh.get_surface().has_chart();
@@ -120,7 +122,8 @@ namespace Biface
     exact    = Utilities::MPI::sum(exact, mesh.communicator);
     constant = parameters.volume.value_or(exact) -
                Utilities::MPI::sum(of_cells, mesh.communicator);
-    if (!parameters.volume && !(exact > 0))
+    // more than round-off
+    if (!parameters.volume && !(exact > 1e-12 * std::pow(mesh.size(), 3)))
       throw InputError("Gas/Cavity volume",
                        "computed",
                        "the face under pressure encloses the volume " +

@@ -38,10 +38,11 @@ namespace Biface
 
 
   PressedDirectors::PressedDirectors(const ShellMesh       &mesh,
-                                     const Resultants::Face face)
+                                     const Resultants::Face face,
+                                     const bool             follows)
     : distances(mesh.cells.size())
   {
-    if (mesh.formulation == Formulation::paper)
+    if (mesh.formulation == Formulation::paper || !follows)
       return;
 
     for (const unsigned int wall : mesh.walls)

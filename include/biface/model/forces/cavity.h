@@ -72,10 +72,13 @@ namespace Biface
     /** The space under a face. Throws InputError on all ranks if its volume is
      * not positive, or if a mesh from a file is open.
      * @param mesh kept by reference.
-     * @param face the face under pressure. */
+     * @param face the face under pressure.
+     * @param follows whether the pressure follows the face; see
+     * PressedDirectors. */
     Cavity(const ShellMesh       &mesh,
            const Parameters      &parameters,
-           const Resultants::Face face);
+           const Resultants::Face face,
+           const bool             follows = true);
 
     /** The radius of the cylinder that closes the cavity toward the axis; 0 if
      * there is none. Unit: length. */

@@ -30,14 +30,17 @@ namespace Biface
    * up to there. The sum of the @f$\bar z_k@f$ is @f$\bar z@f$. It vanishes
    * with the square of the length of the cells.
    *
-   * With Formulation::paper there is nothing to add.
+   * With Formulation::paper, and for a dead pressure, there is nothing to add.
    */
   class PressedDirectors
   {
   public:
     /** @param mesh kept by reference.
-     * @param face the loaded face. */
-    PressedDirectors(const ShellMesh &mesh, const Resultants::Face face);
+     * @param face the loaded face.
+     * @param follows whether the pressure follows the face. */
+    PressedDirectors(const ShellMesh       &mesh,
+                     const Resultants::Face face,
+                     const bool             follows = true);
 
     /** Whether an element, by its position in ShellMesh::cells, is a layer for
      * which there is something to add. */
