@@ -50,7 +50,8 @@ namespace Biface
     share(const Cell &cell) const;
 
     const PressedDirectors directors;
-    /** See PressureLoad::values(). */
+    /** The distribution of the pressure at the nodes of this rank, see
+     * PressureLoad::values(). */
     const std::vector<double> distribution;
   };
 } // namespace Biface
