@@ -88,8 +88,8 @@ acts on the plate in the direction of the undeformed axis.
 ## The force is given
 
 To find the height at which a given force is carried, let the pressure or the motion follow: with
-`Forces on bodies` a force finds the motion of a body, see [new_shell.md](new_shell.md).
-The plates of these springs are supports; their height is given, and the curve above is read the other way.
+`Forces on bodies` a force finds the motion of a body, or of supports as the plates of these springs, see
+[new_shell.md](new_shell.md).
 """
 
 PRESSURES = (0.1, 0.3, 0.5, 0.7)

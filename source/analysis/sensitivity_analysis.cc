@@ -442,12 +442,26 @@ namespace Biface
                           "the pressure of the gas is not determined"};
       if (step.trial.equations && !failure)
         {
-          std::vector<LA::Vector> directions;
+          std::vector<LA::Vector>                                   directions;
+          std::vector<std::optional<EquationSystem::MovedSupports>> moved;
           // the load parameters are further unknowns, as in section 7
           for (const LoadRates &rates : step.trial.equations->rates)
-            directions.push_back(
-              equations.load_direction(step.state, step.loads, rates));
-          per_parameter = solve(directions);
+            {
+              directions.push_back(
+                equations.load_direction(step.state, step.loads, rates));
+              moved.push_back(
+                equations.moved_supports(step.state, step.loads, rates));
+              if (moved.back())
+                directions.back() += moved.back()->forces;
+            }
+          per_parameter = solve_with_matrix(directions);
+          for (unsigned int i = 0; i < moved.size() && !failure; ++i)
+            {
+              low_rank.correct(per_parameter[i],
+                               moved[i] ? &moved[i]->displacement : nullptr);
+              if (moved[i])
+                per_parameter[i] += moved[i]->displacement;
+            }
         }
     }
 
@@ -635,8 +649,15 @@ namespace Biface
     // perturbed shell would not fit its tangent
     const LA::Vector total_of_run = change(step.run.state, step.state);
     return perturbed.trial.equations->parameter_changes_about(
-      {model.contact, step.state, step.loads, total_of_run, {}},
-      {perturbed.model.contact, at, perturbed.loads, total, {}},
+      {{model.equations, model.contact, step.state, step.loads},
+       total_of_run,
+       {}},
+      {{perturbed.model.equations,
+        perturbed.model.contact,
+        at,
+        perturbed.loads},
+       total,
+       {}},
       perturbed.since_balanced(),
       per_parameter);
   }
@@ -678,7 +699,7 @@ namespace Biface
       {
         const LA::Vector total = change(step.run.state, step.state);
         balance.missing_loads  = step.trial.equations->parameter_changes(
-          {model.contact, step.state, step.loads, total, {}},
+          {{model.equations, model.contact, step.state, step.loads}, total, {}},
           model.mesh->owned_vector(),
           tangent.per_parameter);
       }

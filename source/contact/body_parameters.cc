@@ -81,16 +81,6 @@ namespace Biface
     }
 
 
-    NamedNumbers
-    parse_springs(const std::string &entry, const std::string &text)
-    {
-      return parse_named_numbers(entry,
-                                 text,
-                                 "each item must have the form 'name: "
-                                 "stiffness'");
-    }
-
-
     /** The unit vector orthogonal to an axis that is closest to a direction,
      * or any one if they are parallel. */
     Tensor<1, 3>
@@ -285,17 +275,7 @@ namespace Biface
                "'bodies', 'bodies NAME' or 'bodies NAME name', or 'Load "
                "factor'; or 'Forces on bodies' find them.",
                Unit("length"));
-    add_parsed(
-      prm,
-      "Springs",
-      "",
-      springs,
-      parse_springs,
-      "Springs against motions that 'Forces on bodies' of a stage "
-      "find, without force at the factor 0: a comma-separated list of "
-      "'name: stiffness'.",
-      Unit(
-        "force/length, for a motion that only turns force*length per radian"));
+    suspensions.add_parameters(prm, "the names of 'Motions'");
   }
 
 
@@ -333,18 +313,15 @@ namespace Biface
   BodyParameters::check() const
   {
     make();
-    for (const auto &[motion, stiffness] : springs)
-      {
-        const std::string section = "Body " + name + "/";
-        if (std::none_of(motions.begin(),
-                         motions.end(),
-                         [&, &wanted = motion](const BodyMotion &item) {
-                           return item.name == wanted;
-                         }))
-          throw InputError(
-            section + "Springs", motion, "it must be one of 'Motions'");
-        check_not_negative(section + "Springs", stiffness);
-      }
+    suspensions.check(
+      "Body " + name,
+      [this](const std::string &motion) {
+        return std::any_of(
+          motions.begin(), motions.end(), [&](const BodyMotion &item) {
+            return item.name == motion;
+          });
+      },
+      "it must be one of 'Motions'");
     if (friction.depends_on_speed())
       throw InputError(
         "Body " + name + "/Friction",

@@ -5,6 +5,7 @@
 #include <biface/base/errors.h>
 #include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
+#include <biface/input/read_file.h>
 #include <biface/laminate/cord_and_rubber.h>
 
 namespace Biface

@@ -109,8 +109,8 @@ namespace Biface
             values.emplace_back(report.level.time);
           if (const auto &motion = report.motion)
             {
-              for (const double value : {motion->kinetic,
-                                         motion->contact,
+              for (const double value : {motion->kinetic + motion->of_masses,
+                                         motion->contact + motion->of_springs,
                                          report.work.numerical,
                                          report.work.contact,
                                          report.work.unbalanced})

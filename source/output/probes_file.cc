@@ -43,7 +43,7 @@ namespace Biface
           displacement_at(point, state.displacement, equations.mesh);
         std::vector<std::vector<Tensor<1, 3>>> vectors = {u.global, u.local};
         const bool moves = (state.velocity.size() > 0);
-        if (with_velocities && moves)
+        if (moves)
           vectors.push_back(
             displacement_at(point, state.velocity, equations.mesh).global);
         const auto add = [&](const std::string         &face,

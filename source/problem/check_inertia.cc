@@ -13,6 +13,48 @@
 
 namespace Biface
 {
+  namespace
+  {
+    /** Check the motions that forces find in a stage with inertia. */
+    void
+    check_masses(const Stage &stage, const std::string &section)
+    {
+      for (const MotionByForce &item : stage.motions_by_force)
+        {
+          if (item.moves_supports())
+            continue;
+          // its work over a step is known for translations alone
+          if (item.motion.turn != 0)
+            throw InputError(section + "/Forces on bodies",
+                             item.name(),
+                             "with 'Inertia = true' the motion must be a "
+                             "translation without a turn");
+          if (item.motion.suspension.mass == 0)
+            throw InputError(section + "/Forces on bodies",
+                             item.name(),
+                             "with 'Inertia = true' it must have a mass in "
+                             "'Masses' of the body");
+        }
+      for (const auto &[name, velocity] : stage.velocities_of_bodies)
+        {
+          const auto &items = stage.motions_by_force;
+          if (std::none_of(items.begin(),
+                           items.end(),
+                           [&, &wanted = name](const MotionByForce &item) {
+                             return item.name() == wanted &&
+                                    !item.moves_supports();
+                           }))
+            throw InputError(
+              section + "/Initial velocities of bodies",
+              name,
+              "it must be a body in 'Forces on bodies'; supports "
+              "move as 'Initial velocity' says");
+          check_finite(section + "/Initial velocities of bodies", velocity);
+        }
+    }
+  } // namespace
+
+
   bool
   Parameters::has_inertia() const
   {
@@ -51,12 +93,7 @@ namespace Biface
                section + "/Control",
                stage.control_name(),
                "'load'");
-        refuse(!stage.forces_on_bodies.empty(),
-               section + "/Forces on bodies",
-               stage.forces_on_bodies.empty()
-                 ? ""
-                 : stage.forces_on_bodies.front().first,
-               "empty");
+        check_masses(stage, section);
         refuse(stage.theory == StrainTheory::linear,
                section + "/Strain theory",
                "linear",

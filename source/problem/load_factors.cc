@@ -93,17 +93,18 @@ namespace Biface
     }
 
 
-    /** The names of all items in words. */
+    /** The names of all items in words, or of those of one kind. */
     std::string
-    in_words(const std::vector<Item> &items)
+    in_words(const std::vector<Item> &items, const std::string &kind = "")
     {
       constexpr unsigned int limit = 20;
 
       std::vector<std::string> names;
       for (const Item &item : items)
-        for (const std::string &name : item.names)
-          if (std::find(names.begin(), names.end(), name) == names.end())
-            names.push_back(name);
+        if (kind.empty() || item.names.front() == kind)
+          for (const std::string &name : item.names)
+            if (std::find(names.begin(), names.end(), name) == names.end())
+              names.push_back(name);
       std::string text;
       for (unsigned int i = 0; i < names.size() && i < limit; ++i)
         text += (i == 0 ? "'" : ", '") + names[i] + "'";
@@ -113,7 +114,8 @@ namespace Biface
 
 
   std::vector<MotionByForce>
-  Parameters::motions_by_force(const unsigned int i) const
+  Parameters::motions_by_force(
+    const unsigned int i, const std::vector<std::string> &of_supports) const
   {
     const Stage      &stage = stages[i];
     const std::string entry =
@@ -127,11 +129,17 @@ namespace Biface
         for (const BodyMotion &motion : body.motions)
           {
             there.push_back({body.name, motion, 0});
-            for (const auto &[name, stiffness] : body.springs)
-              if (name == motion.name)
-                there.back().motion.spring = stiffness;
+            there.back().motion.suspension = body.suspensions.of(motion.name);
             known += (known.empty() ? "'" : ", '") + there.back().name() + "'";
           }
+    for (const std::string &name : of_supports)
+      {
+        BodyMotion motion;
+        motion.name       = name;
+        motion.suspension = supports.suspensions.of(name);
+        there.push_back({"", motion, 0});
+        known += (known.empty() ? "'" : ", '") + name + "'";
+      }
     for (const auto &[name, force] : stage.forces_on_bodies)
       {
         const auto found =
@@ -144,16 +152,18 @@ namespace Biface
           throw InputError(entry,
                            name,
                            known.empty()
-                             ? "no body of the stage has 'Motions'"
-                             : "it must be a motion of a body of the stage, "
-                               "one of " +
+                             ? "no body of the stage has 'Motions', and no "
+                               "support a prescribed displacement"
+                             : "it must be a motion of a body of the stage, or "
+                               "supports with a prescribed displacement: one "
+                               "of " +
                                  known);
-        if (found->motion.amplitude() == 0)
+        if (!found->moves_supports() && found->motion.amplitude() == 0)
           throw InputError(entry, name, "this motion must not be zero");
         result.push_back(*found);
         result.back().force = force;
         for (const auto &own_factor : stage.own_factors)
-          if (own_factor.first == "bodies " + name)
+          if (own_factor.first == found->name_of_factor())
             throw InputError("Stage " + std::to_string(i + 1) + "/Load factors",
                              own_factor.first,
                              "it must not be named, since 'Forces on bodies' "
@@ -171,10 +181,13 @@ namespace Biface
       return "Stage " + std::to_string(stage + 1) + "/Load factors";
     };
 
-    std::set<std::string> known, motions;
+    std::set<std::string>    known, motions;
+    std::vector<std::string> of_supports;
     for (const Item &item : items)
       {
-        known.insert(item.names.begin(), item.names.end());
+        for (const std::string &name : item.names)
+          if (known.insert(name).second && item.names.front() == "supports")
+            of_supports.push_back(name);
         // body 'a b' with the motion 'c', and body 'a' with 'b c'
         if (item.names.front() == "bodies" &&
             !motions.insert(item.names.back()).second)
@@ -183,6 +196,15 @@ namespace Biface
                            "two motions have this name, made of those of body "
                            "and motion; rename one");
       }
+
+    supports.suspensions.check(
+      "Supports",
+      [&of_supports](const std::string &name) {
+        return std::find(of_supports.begin(), of_supports.end(), name) !=
+               of_supports.end();
+      },
+      of_supports.empty() ? "no support has a prescribed displacement"
+                          : "it must be one of " + in_words(items, "supports"));
 
     // the positions of the factors, the same in every order of the stages
     std::map<std::string, unsigned int> positions;
@@ -212,9 +234,9 @@ namespace Biface
         }
     for (unsigned int i = 0; i < stages.size(); ++i)
       {
-        stages[i].motions_by_force = motions_by_force(i);
+        stages[i].motions_by_force = motions_by_force(i, of_supports);
         for (const MotionByForce &motion : stages[i].motions_by_force)
-          positions["bodies " + motion.name()] = 0;
+          positions[motion.name_of_factor()] = 0;
       }
     // 0 is the common factor; names are in alphabetic order
     unsigned int last = 0;
@@ -254,7 +276,7 @@ namespace Biface
         for (MotionByForce &motion : stage.motions_by_force)
           {
             // the control finds this factor, which no stage prescribes
-            motion.motion.factor = positions.at("bodies " + motion.name());
+            motion.motion.factor = positions.at(motion.name_of_factor());
             stage.factors[motion.motion.factor].reset();
           }
       }

@@ -286,13 +286,16 @@ namespace Biface
     for (const BodyParameters &body : bodies)
       {
         // names of files have no blanks
+        // 'supports' is the first word of names in 'Forces on bodies'
         if (lines.count(body.name) > 0 || body.name.rfind("point ", 0) == 0 ||
+            (body.name + " ").rfind("supports ", 0) == 0 ||
             !lines.insert(with_underscores(body.name)).second)
           throw InputError("Bodies",
                            body.name,
                            "the names of bodies must differ, also with '_' in "
-                           "place of blanks, and must not be those of other "
-                           "lines of forces.csv or columns of history.csv");
+                           "place of blanks, must not begin with 'supports', "
+                           "and must not be those of other lines of "
+                           "forces.csv or columns of history.csv");
       }
     for (const BodyParameters &body : bodies)
       body.check();

@@ -90,7 +90,8 @@ namespace Biface
             const EquationSystem     &equations,
             const ContactInteraction &contact,
             ConditionalOStream       &out)
-      : contact(contact)
+      : equations(equations)
+      , contact(contact)
       , state(state)
       , parametrized(path)
       , mu(mu)
@@ -106,6 +107,7 @@ namespace Biface
         contact.make_slipping_points_stick(state);
     }
 
+    const EquationSystem     &equations;
     const ContactInteraction &contact;
     State                    &state;
     const ParametrizedLoads  &parametrized;
@@ -176,7 +178,8 @@ namespace Biface
     ControlEquations::Iteration
     here() const
     {
-      return {contact, state, loads, total, result.n_negative_pivots};
+      return {
+        {equations, contact, state, loads}, total, result.n_negative_pivots};
     }
   };
 
@@ -621,11 +624,19 @@ namespace Biface
                                               equations.mesh.owned_vector());
         for (unsigned int i = 0; i < per_parameter.size(); ++i)
           {
-            if (!solve(per_parameter[i],
-                       equations.load_direction(
-                         iterate.state, iterate.loads, control->rates[i])))
+            LA::Vector forces = equations.load_direction(
+              iterate.state, iterate.loads, control->rates[i]);
+            // supports that the parameter moves take the shell along
+            const auto moved = equations.moved_supports(
+              iterate.state, iterate.loads, control->rates[i]);
+            if (moved)
+              forces += moved->forces;
+            if (!solve(per_parameter[i], forces))
               return Failure{linear.cause, linear.message};
-            low_rank.correct(per_parameter[i]);
+            low_rank.correct(per_parameter[i],
+                             moved ? &moved->displacement : nullptr);
+            if (moved)
+              per_parameter[i] += moved->displacement;
           }
         increment.mu = control->parameter_changes(
           here, increment.displacement, per_parameter);

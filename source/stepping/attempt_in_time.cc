@@ -18,6 +18,7 @@
 #include <biface/model/state/step_in_time.h>
 #include <biface/model/time/energy_of_motion.h>
 #include <biface/stepping/attempt_in_time.h>
+#include <biface/stepping/masses_of_stage.h>
 #include <biface/stepping/stage_run.h>
 #include <biface/stepping/start_motion.h>
 
@@ -40,8 +41,7 @@ namespace Biface
       std::vector<double> mean(n_factors + 1), largest(n_factors + 1);
       for (unsigned int q = 0; q < rule.size(); ++q)
         {
-          const LoadLevel level =
-            trial.level({trial.mu[0] - (1 - rule.point(q)[0]) * trial.size});
+          const LoadLevel level = trial.within(rule.point(q)[0]);
           for (unsigned int i = 0; i <= n_factors; ++i)
             {
               const double value =
@@ -65,7 +65,8 @@ namespace Biface
     /** See StepInTime::of_supports: the velocity at the end of the step follows
      * from the places of the supports at its start, in its middle and at its
      * end; by the mean velocity alone it would alternate from step to step
-     * where the velocity changes. */
+     * where the velocity changes. Supports that masses move are unknowns.
+     * @param middle, end with the factors of masses at the start. */
     LA::Vector
     correction_by_supports(const StageRun   &run,
                            const StepInTime &step,
@@ -87,7 +88,8 @@ namespace Biface
           // the rule of the step would end at 2 v_mean - v_0
           correction(p.dof) =
             (motion.at_end(p.dof) -
-             (2 * motion.mean(p.dof) - run.state.velocity(p.dof))) /
+             (2 * motion.mean(p.dof) - (run.state.velocity(p.dof) -
+                                        velocity_by_masses(p, step.masses)))) /
             step.duration;
       correction.compress(VectorOperation::insert);
       mesh.constraints.distribute(correction);
@@ -103,18 +105,23 @@ namespace Biface
                        const StageRun       &run,
                        const Control::Trial &trial)
   {
-    const LoadLevel level  = trial.level(trial.mu);
-    const auto      step   = std::make_shared<StepInTime>();
-    step->start            = run.state;
-    step->loads_at_start   = run.loads_at(run.progress.reached);
-    step->duration         = level.time - run.progress.reached.time;
-    step->damping          = run.stage.damping_in_time;
-    const LoadLevel middle = trial.level({trial.mu[0] - trial.size / 2});
+    const auto step      = std::make_shared<StepInTime>();
+    step->start          = run.state;
+    step->loads_at_start = run.loads_at(run.progress.reached);
+    step->duration       = trial.within(1).time - run.progress.reached.time;
+    step->damping        = run.stage.damping_in_time;
+    step->masses = masses_of_stage(run.stage, run.equations.mesh, run.state);
+    LoadParameters guess_of_mu = trial.mu;
+    for (unsigned int i = 0; i < step->masses.size(); ++i)
+      guess_of_mu[i] +=
+        step->duration * step->masses[i].velocity / step->masses[i].amplitude;
+    const LoadLevel level  = trial.level(guess_of_mu),
+                    middle = trial.within(0.5);
     step->middle.pressure  = middle.pressure;
     step->middle.factors   = middle.factors;
 
     Attempt attempt;
-    attempt.mu        = trial.mu;
+    attempt.mu        = guess_of_mu;
     attempt.level     = level;
     const auto reject = [&attempt](const std::string &why, const double error) {
       attempt.result.converged = false;
@@ -128,7 +135,8 @@ namespace Biface
         reject("the loads change too unevenly in the step", too_large);
         return attempt;
       }
-    step->of_supports       = correction_by_supports(run, *step, middle, level);
+    step->of_supports =
+      correction_by_supports(run, *step, middle, trial.within(1));
     attempt.state           = run.state;
     attempt.state.step      = step;
     attempt.state.time_step = run.time_step_to(level);
@@ -136,14 +144,14 @@ namespace Biface
     const LA::Vector guess     = extrapolated(run.state, step->duration);
     attempt.state.displacement = guess;
 
-    const Loads             loads = run.loads_at(level);
     const ParametrizedLoads given{
-      [&loads](const LoadParameters &) { return loads; }};
+      [&](const LoadParameters &mu) { return run.loads_at(trial.level(mu)); },
+      trial.equations.get()};
     NewtonResult &result = attempt.result;
     const State   start  = attempt.state;
     result               = newton.solve(
       attempt.state, given, attempt.mu, NewtonIteration::substituted);
-    if (result.failed() && run.contact.has_friction(loads))
+    if (result.failed() && run.contact.has_friction(run.loads_at(level)))
       {
         // near the solution the exact tangent converges
         const auto secant          = std::make_shared<StepInTime>(*step);
@@ -153,6 +161,7 @@ namespace Biface
         for (const auto &with : {secant, step})
           if (result.failed())
             {
+              attempt.mu         = guess_of_mu;
               attempt.state.step = with;
               result             = newton.solve(
                 attempt.state, given, attempt.mu, NewtonIteration::substituted);
@@ -166,6 +175,8 @@ namespace Biface
     if (!result.converged)
       return attempt;
 
+    attempt.level     = trial.level(attempt.mu);
+    const Loads loads = run.loads_at(attempt.level);
     run.contact.settle(attempt.state, loads);
     std::string passed = run.contact.passed_body(
       run.state, step->loads_at_start, attempt.state, loads);
@@ -189,7 +200,8 @@ namespace Biface
       return attempt;
     // steps whose error is twice the one that is wanted count as well
     constexpr double  largest = 2;
-    const ErrorInTime error   = error_in_time(run.equations, attempt.state);
+    const ErrorInTime error =
+      error_in_time(run.equations, attempt.state, loads);
     // the first accelerations of a shell at rest have none before them with
     // which they could be compared
     constexpr double first_part = 1e-3;
@@ -231,7 +243,7 @@ namespace Biface
     state.step                = step;
     for (const auto &pair : run.contact.pairs)
       settle_friction_over_step(*pair, loads, state);
-    remember_motion(run.equations, state);
+    remember_motion(run.equations, loads, state);
     const EnergyOfMotion energy =
       energy_of_motion(run.equations, run.contact, state, loads);
     const Work work =

@@ -2,6 +2,8 @@
 
 #include <deal.II/base/patterns.h>
 
+#include <algorithm>
+
 #include <biface/base/errors.h>
 #include <biface/input/entry_declarations.h>
 #include <biface/input/named_numbers.h>
@@ -30,6 +32,15 @@ namespace Biface
   StageControl::control_name() const
   {
     return control_names()[static_cast<unsigned int>(control)];
+  }
+
+
+  bool
+  StageControl::has_force(const std::string &name) const
+  {
+    return std::any_of(forces_on_bodies.begin(),
+                       forces_on_bodies.end(),
+                       [&](const auto &item) { return item.first == name; });
   }
 
 
@@ -99,20 +110,26 @@ namespace Biface
                       "free rolling, negative for braking.",
                       Patterns::Double(),
                       Unit("force*length") | RestartChange::within_stage);
-    add_parsed(prm,
-               "Forces on bodies",
-               "",
-               forces_on_bodies,
-               parse_forces,
-               "Forces that push bodies along their motions at the end of the "
-               "stage; the factors of these motions are found: a "
-               "comma-separated list of 'body motion: force', 0 for a body "
-               "that gives way. A force acts along the translation of the "
-               "motion; a motion that only turns has a moment about the axis. "
-               "The body rests on the shell and on the spring of 'Springs', if "
-               "it has one. The force at the start of the stage is what they "
-               "exert there; it changes in equal steps.",
-               Unit("force, or force*length"));
+    add_parsed(
+      prm,
+      "Forces on bodies",
+      "",
+      forces_on_bodies,
+      parse_forces,
+      "Forces that push bodies along their motions, or supports along "
+      "their prescribed displacements, at the end of the stage; the "
+      "factors of these motions are found: a comma-separated list of "
+      "'body motion: force', or of 'NAME: force' with a name of "
+      "supports as in 'Load factors', such as 'supports' or 'supports "
+      "alpha_1 min'; 0 for what gives way. A force acts along the "
+      "translation; a motion that only turns has a moment about the "
+      "axis. All supports of a name move by the same displacement, and "
+      "their force is that of the whole structure. The body rests on "
+      "the shell and on the spring of 'Springs', if it has one. The "
+      "force at the start of the stage is what they exert there; it "
+      "changes in equal steps. With 'Inertia' it is constant, or "
+      "follows 'Load history', and moves the mass of 'Masses'.",
+      Unit("force, or force*length"));
     prm.add_parameter("Steps",
                       n_steps,
                       "Number of steps; see 'Control'.",

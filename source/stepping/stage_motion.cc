@@ -108,6 +108,24 @@ namespace Biface
                Unit("length/time"));
     add_parsed(
       prm,
+      "Initial velocities of bodies",
+      "",
+      velocities_of_bodies,
+      [](const std::string &entry, const std::string &text) {
+        return parse_named_numbers(entry,
+                                   text,
+                                   "each item must have the form "
+                                   "'body motion: velocity'");
+      },
+      "Velocities at the start of a stage with inertia of bodies that "
+      "'Forces on bodies' find, along their motions: a comma-separated "
+      "list of 'body motion: velocity'. Otherwise they have that at the "
+      "end of the stage before, or none. Supports move as the shell, "
+      "see 'Initial velocity'.",
+      Unit("length/time, for a motion that only turns 1/time in "
+           "radians"));
+    add_parsed(
+      prm,
       "Load history",
       "",
       histories,
@@ -115,8 +133,9 @@ namespace Biface
       "Loads of a stage with inertia as formulas of the time t since its "
       "start: a list of 'name: formula', separated by semicolons. A name is "
       "'pressure', 'travel', 'turn', 'load factor', or one of those of 'Load "
-      "factors': 'load factor: sin(200*t)'. They replace the entries of these "
-      "names; all other loads change evenly in the stage.",
+      "factors' or 'Forces on bodies': 'load factor: sin(200*t)'. They replace "
+      "the values of these names; all other loads change evenly in the stage, "
+      "but for 'Forces on bodies', which are constant.",
       RestartChange::within_stage);
     prm.add_parameter(
       "Mass damping",
@@ -202,6 +221,8 @@ namespace Biface
           set(loads.turn, "Turn");
         else if (name == "load factor")
           set(loads.common_factor, "Load factor");
+        else if (control.has_force(name))
+          continue;
         else
           {
             std::optional<double> own;
@@ -251,6 +272,10 @@ namespace Biface
           !initial_velocity.empty(),
           "Initial velocity",
           initial_velocity.empty() ? "" : initial_velocity[0].get_text());
+        refuse_without_inertia(
+          !velocities_of_bodies.empty(),
+          "Initial velocities of bodies",
+          velocities_of_bodies.empty() ? "" : velocities_of_bodies[0].first);
         refuse_without_inertia(!histories.empty(),
                                "Load history",
                                histories.empty() ? "" : histories[0].first);

@@ -375,18 +375,21 @@ namespace Biface
     if (stage.inertia)
       {
         const Control::Trial first = control->propose(last_converged());
-        const LoadLevel      after = first.level(first.mu);
+        const LoadLevel      after = first.within(1);
         start_motion(equations,
-                     stage.initial_velocity,
+                     stage,
                      "Stage " + std::to_string(progress.stage + 1),
                      {loads_at(progress.reached),
-                      loads_at(first.level({first.mu[0] - first.size / 2})),
+                      loads_at(first.within(0.5)),
                       loads_at(after),
                       after.time - progress.reached.time},
                      state);
       }
     else
-      state.velocity.clear();
+      {
+        state.velocity.clear();
+        MovingMass::bring_to_rest(state);
+      }
     progress.control = control->get_memory();
     progress.predictor.reset();
     progress.stage_begun = true;

@@ -11,6 +11,8 @@
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/mesh/supports.h>
 #include <biface/model/state/loads.h>
+#include <biface/stepping/masses_of_stage.h>
+#include <biface/stepping/stage.h>
 #include <biface/stepping/start_motion.h>
 
 namespace Biface
@@ -85,38 +87,89 @@ namespace Biface
   }
 
 
+  namespace
+  {
+    /** The velocity with which supports start, as the nodes that they hold. */
+    double
+    velocity_of_supports(const ShellMesh  &mesh,
+                         const MovingMass &mass,
+                         const LA::Vector &of_supports)
+    {
+      std::vector<double> sums(2);
+      for (const PrescribedDisplacement &p : mesh.prescribed)
+        if (mesh.locally_owned.is_element(p.dof))
+          {
+            const double per_factor = p.values[mass.factor];
+            sums[0] += per_factor * of_supports(p.dof);
+            sums[1] += per_factor * per_factor;
+          }
+      Utilities::MPI::sum(sums, mesh.communicator, sums);
+      return sums[0] / sums[1] * mass.amplitude;
+    }
+
+
+    /** Set the velocities at which the masses of a stage start. */
+    std::vector<MovingMass>
+    start_masses(const Stage      &stage,
+                 const ShellMesh  &mesh,
+                 const LA::Vector &of_supports,
+                 State            &state)
+    {
+      std::vector<MovingMass> masses = masses_of_stage(stage, mesh, state);
+      MovingMass::bring_to_rest(state);
+      for (unsigned int i = 0; i < masses.size(); ++i)
+        {
+          const MotionByForce &item = stage.motions_by_force[i];
+          MovingMass          &mass = masses[i];
+          if (item.moves_supports())
+            mass.velocity = velocity_of_supports(mesh, mass, of_supports);
+          for (const auto &[name, velocity] : stage.velocities_of_bodies)
+            if (name == item.name())
+              mass.velocity = velocity;
+          MovingMass::set_motion(state, mass.factor, {mass.velocity, 0});
+        }
+      return masses;
+    }
+  } // namespace
+
+
   void
-  start_motion(const ShellEquations       &equations,
-               const std::vector<Formula> &initial_velocity,
-               const std::string          &section,
-               const LoadsOfStepInTime    &first,
-               State                      &state)
+  start_motion(const ShellEquations    &equations,
+               const Stage             &stage,
+               const std::string       &section,
+               const LoadsOfStepInTime &first,
+               State                   &state)
   {
     const ShellMesh &mesh     = equations.mesh;
     LA::Vector       velocity = mesh.owned_vector();
     if (state.velocity.size() > 0)
       velocity = owned_part(state.velocity);
     bool is_finite = true;
-    if (!initial_velocity.empty())
-      is_finite = set_velocities(mesh, initial_velocity, state, velocity);
+    if (!stage.initial_velocity.empty())
+      is_finite = set_velocities(mesh, stage.initial_velocity, state, velocity);
     // a formula may have no value on one rank alone
     if (Utilities::MPI::logical_or(!is_finite, mesh.communicator))
       {
         std::string text;
-        for (const Formula &formula : initial_velocity)
+        for (const Formula &formula : stage.initial_velocity)
           text += (text.empty() ? "" : "; ") + formula.get_text();
         throw InputError(section + "/Initial velocity",
                          text,
                          "it must be finite at all nodes");
       }
+    LA::Vector of_supports(velocity);
     mesh.constraints.distribute(velocity);
+    of_supports -= velocity;
+    const std::vector<MovingMass> masses =
+      start_masses(stage, mesh, of_supports, state);
 
     // otherwise the velocities of supports that move would change between twice
     // their velocity and none
     const MotionOfSupports motion(equations, state, first);
     for (const PrescribedDisplacement &p : mesh.prescribed)
       if (mesh.locally_owned.is_element(p.dof))
-        velocity(p.dof) = motion.at_start(p.dof);
+        velocity(p.dof) =
+          motion.at_start(p.dof) + velocity_by_masses(p, masses);
     velocity.compress(VectorOperation::insert);
     state.velocity = mesh.ghosted_vector();
     state.velocity = velocity;

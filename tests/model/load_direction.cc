@@ -153,8 +153,8 @@ namespace
       }
     const double error = deviation.l2_norm();
 
-    const LoadRates        rates{0, {1, 0}, 0}, moves{0, {1, 0.5}, 0};
-    const ContactResultant power =
+    const LoadRates           rates{0, {1, 0}, 0}, moves{0, {1, 0.5}, 0};
+    const LinearizedResultant power =
       power_of_body(pair, state, loads_at(0.7), rates, {moves});
     double     by_motion = -power.per_load[0], by_displacement = 0;
     LA::Vector direction = some_displacement(*mesh, 1, 3);

@@ -94,7 +94,7 @@ namespace
     rates[0].angular_velocity = 1;
     rates[1].travel           = 1;
     const auto resultants     = [&](const State &state, const Loads &loads) {
-      return std::array<ContactResultant, 2>{
+      return std::array<LinearizedResultant, 2>{
         {axle_moment(contact.ground(), state, loads, rates),
          ground_force(contact.ground(), state, loads, rates)}};
     };

@@ -3,7 +3,8 @@
 // Where a force finds the turn of a body, derivatives by the force, by the
 // place of the body, by the spring and by the thickness of the shell are those
 // of whole runs, and nothing depends on the unit of the motion, without and
-// with friction, at nodes and points in cells.
+// with friction, at nodes and points in cells. So are those where a force finds
+// the displacement of supports.
 
 #include <biface/problem/parameters.h>
 
@@ -48,6 +49,14 @@ main(int argc, char **argv)
                       lifted,
                       "Body lever/Point[3]",
                       "strain_energy, lever_turn_y, lever F_z");
+
+  check_sensitivities(
+    "supports",
+    DATA_DIR "/strip_with_mass.prm",
+    {"Stage 1/Forces on bodies=supports: 100"},
+    "Laminate/Plies[1]; Stage 1/Forces on bodies[1]; "
+    "Supports/Springs[1]; Supports/alpha_1 max[1]",
+    "strain_energy, alpha_1_max_displacement, alpha_1 min F_x");
 
   const SensitivityTable table =
     table_of(file,

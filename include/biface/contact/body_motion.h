@@ -9,6 +9,8 @@
 #include <optional>
 #include <string>
 
+#include <biface/contact/suspension.h>
+
 namespace Biface
 {
   /** A motion of a body: a translation, and a turn about an axis through a
@@ -24,9 +26,8 @@ namespace Biface
     /** The vector along the axis of the turn, of any length; if not set, the
      * axis is that of the body. */
     std::optional<dealii::Tensor<1, 3>> axis;
-    /** The stiffness of a spring against the motion, where a force determines
-     * it. Unit: force/length, or force*length for a turn alone. */
-    double spring = 0;
+    /** What resists the motion, where a force determines it. */
+    Suspension suspension;
     /** The position of the factor in Loads::factors, or travel_of_ground.
      */
     unsigned int factor = 0;
@@ -47,7 +48,7 @@ namespace Biface
     serialize(Archive &archive, const unsigned int)
     {
       dealii::Tensor<1, 3> about = axis.value_or(dealii::Tensor<1, 3>());
-      archive &name &translation &turn &about &spring &factor;
+      archive &name &translation &turn &about &suspension &factor;
       if (about.norm_square() > 0)
         axis = about;
     }

@@ -92,9 +92,8 @@ namespace Biface
     FrictionCoefficient friction;
 
     std::vector<BodyMotion> motions;
-    /** The stiffnesses of springs by the names of motions. Unit: see
-     * BodyMotion::spring. */
-    std::vector<std::pair<std::string, double>> springs;
+    /** By the names of motions. */
+    SuspensionParameters suspensions;
 
     void
     add_parameters(EntryDeclarations &prm);

@@ -144,9 +144,11 @@ namespace Biface
     add_stages(EntryDeclarations &prm, const unsigned int n_stages);
 
     /** The 'Forces on bodies' of a stage with their motions. Throws InputError
-     * if there is no such motion. */
+     * if there is no such motion.
+     * @param of_supports the names of all factors of supports. */
     std::vector<MotionByForce>
-    motions_by_force(const unsigned int i) const;
+    motions_by_force(const unsigned int              i,
+                     const std::vector<std::string> &of_supports) const;
 
     /** Throws InputError if the gas of a stage cannot be sealed. */
     void

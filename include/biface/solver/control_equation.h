@@ -13,8 +13,19 @@
 namespace Biface
 {
   class ContactInteraction;
+  class EquationSystem;
   struct Loads;
   struct State;
+
+
+  /** A shell with its contact in a state under loads, kept by reference. */
+  struct LoadedShell
+  {
+    const EquationSystem     &equations;
+    const ContactInteraction &contact;
+    const State              &state;
+    const Loads              &loads;
+  };
 
 
   /** The load parameters @f$\mu_i@f$, on which the loads of a step depend. */
@@ -51,11 +62,8 @@ namespace Biface
     virtual ~ControlEquations() = default;
 
     /** The current iterate of Newton's method. */
-    struct Iteration
+    struct Iteration : LoadedShell
     {
-      const ContactInteraction &contact;
-      const State              &state;
-      const Loads              &loads;
       /** The change of the displacements since the start of the step. */
       const LA::Vector &total;
       /** The number of negative pivots of the tangent, if the linear solver

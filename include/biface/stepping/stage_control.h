@@ -32,20 +32,37 @@ namespace Biface
   control_names();
 
 
-  /** A motion of a body that is not prescribed but found by a force. */
+  /** A motion of a body, or of supports, that is not prescribed but found by a
+   * force. */
   struct MotionByForce
   {
+    /** The body; empty for supports, whose motion has the name of their factor
+     * in 'Load factors'. */
     std::string body;
     BodyMotion  motion;
     /** The prescribed value at the end of the stage: the force along the
      * translation of the motion or, without one, the moment about the axis. */
     double force = 0;
 
-    /** The names of body and motion, as in 'Forces on bodies'. */
+    bool
+    moves_supports() const
+    {
+      return body.empty();
+    }
+
+    /** The name in 'Forces on bodies': those of body and motion, or of the
+     * factor of supports. */
     std::string
     name() const
     {
-      return body + " " + motion.name;
+      return moves_supports() ? motion.name : body + " " + motion.name;
+    }
+
+    /** The name of the factor in 'Load factors'. */
+    std::string
+    name_of_factor() const
+    {
+      return moves_supports() ? motion.name : "bodies " + name();
     }
 
     template <class Archive>
@@ -80,6 +97,10 @@ namespace Biface
     unsigned int               n_steps = 1;
     /** Whether steps of the loads or the force grow after fast convergence. */
     bool adaptive = false;
+
+    /** Whether 'Forces on bodies' has a name. */
+    bool
+    has_force(const std::string &name) const;
 
     bool
     prescribes_force() const

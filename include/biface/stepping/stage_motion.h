@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <biface/input/formula.h>
+#include <biface/input/named_numbers.h>
 #include <biface/model/state/damping_in_time.h>
 
 namespace Biface
@@ -36,8 +37,13 @@ namespace Biface
      * Unit: length/time. */
     std::vector<Formula> initial_velocity;
 
+    /** The velocities at the start of bodies that forces find, by their names
+     * in 'Forces on bodies'. Unit: length/time, or 1/time in radians. */
+    NamedNumbers velocities_of_bodies;
+
     /** Loads as formulas of the time t since the start of the stage, by name:
-     * 'pressure', 'travel', 'turn', 'load factor' or one of 'Load factors'. */
+     * 'pressure', 'travel', 'turn', 'load factor', or one of 'Load factors' or
+     * 'Forces on bodies'. */
     std::vector<std::pair<std::string, Formula>> histories;
 
     /** Whether the load of a name follows a formula. */

@@ -4,15 +4,14 @@
 #define biface_stepping_start_motion_h
 
 #include <string>
-#include <vector>
 
 #include <biface/base/linear_algebra.h>
 
 namespace Biface
 {
-  class Formula;
   struct Loads;
   class ShellEquations;
+  struct Stage;
   struct State;
 
 
@@ -41,16 +40,17 @@ namespace Biface
 
   /** Set the velocities of a state at the start of a stage with inertia: those
    * that the stage gives or, without them, those that the state has, if any.
-   * Supports that move have their velocity at once. Throws InputError
-   * on all ranks if a formula has no value at a node.
-   * @param initial_velocity see StageMotion.
-   * @param section that of the stage. */
+   * Supports that move have their velocity at once; those that masses move,
+   * that of the shell there. Throws InputError on all ranks if a formula has no
+   * value at a node.
+   * @param section that of the stage.
+   * @param first the loads in the first step, without the motions of masses. */
   void
-  start_motion(const ShellEquations       &equations,
-               const std::vector<Formula> &initial_velocity,
-               const std::string          &section,
-               const LoadsOfStepInTime    &first,
-               State                      &state);
+  start_motion(const ShellEquations    &equations,
+               const Stage             &stage,
+               const std::string       &section,
+               const LoadsOfStepInTime &first,
+               State                   &state);
 } // namespace Biface
 
 #endif

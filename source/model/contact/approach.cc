@@ -202,11 +202,12 @@ namespace Biface
 
 
   double
-  distance_to_contact(const ContactPair &pair,
-                      const State       &state,
-                      const Loads       &loads,
-                      const LoadRates   &direction,
-                      const double       depth)
+  distance_to_contact(
+    const ContactPair                                   &pair,
+    const State                                         &state,
+    const Loads                                         &loads,
+    const std::function<Tensor<1, 3>(const Point<3> &)> &velocity,
+    const double                                         depth)
   {
     // the sine of the angle to the surface
     constexpr double glancing = 1e-3;
@@ -218,10 +219,10 @@ namespace Biface
         {
           const Point<3>     x  = pair.points.position(state.displacement, n);
           const BodyPoint    at = body.evaluate(x);
-          const Tensor<1, 3> velocity = direction.velocity_of(body, x);
-          const double       approach = -(at.normal * velocity);
+          const Tensor<1, 3> v  = velocity(x);
+          const double       approach = -(at.normal * v);
           // what moves along the surface never arrives, but for round-off
-          if (approach > glancing * velocity.norm())
+          if (approach > glancing * v.norm())
             way = std::min(way, (at.clearance + depth) / approach);
         }
     return Utilities::MPI::min(way, pair.mesh.communicator);

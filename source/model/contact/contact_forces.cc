@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <optional>
+
 #include <biface/contact/tangential_law.h>
 #include <biface/model/contact/bristle_lines.h>
 #include <biface/model/contact/contact_forces.h>
@@ -185,20 +187,23 @@ namespace Biface
     const ContactPoints &points = contact.points;
     for (unsigned int i = 0; i < points.on_cell().size(); ++i)
       {
-        const unsigned int point = points.number(at.cell, i);
-        if (!contact.state_of(at.state).active[point])
+        const unsigned int                point = points.number(at.cell, i);
+        std::optional<LinearizedTraction> traction;
+        if (at.state.step)
+          traction = traction_over_step(contact, at.state, at.loads, point);
+        else if (contact.state_of(at.state).active[point])
+          traction = contact.traction(at.state, at.loads, point);
+        if (!traction)
           continue;
         // a motion of the body is equivalent to the opposite displacement of
         // the point, with a traction that turns with the body
-        const LinearizedTraction traction =
-          contact.traction(at.state, at.loads, point);
         const Tensor<1, 3> change =
-          traction.stiffness *
+          traction->stiffness *
             rates.velocity_of(body->body,
                               points.position(at.state.displacement, point)) +
           cross_product_3d(rates.angular_velocity_of(body->body),
-                           traction.value) +
-          rates.angular_velocity * traction.per_angular_velocity;
+                           traction->value) +
+          rates.angular_velocity * traction->per_angular_velocity;
         const std::array<double, 4> areas = points.areas(at.cell, i);
         for (unsigned int r = 0; r < 4; ++r)
           {

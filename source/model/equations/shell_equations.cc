@@ -544,40 +544,191 @@ namespace Biface
                                    const LoadRates &rates) const
   {
     Assert(!state.linearization_point, ExcNotImplemented());
-    const StepInTime *step      = state.step.get();
-    const Loads       loads     = acting_loads(state, loads_at_end);
-    LA::Vector        direction = mesh.owned_vector();
+    const Loads loads     = acting_loads(state, loads_at_end);
+    LA::Vector  direction = mesh.owned_vector();
     for (const ForceTerm *term : terms)
       term->add_dead_forces(rates, direction);
     for (const Element &element : elements)
       {
-        const Cell &cell = *element.cell;
-        const auto  V    = mesh.cell_values(state.displacement, cell);
         MixedElement::NodalVector force;
-        // in a step in time, forces depend on both of its ends
-        const auto V_0 =
-          (step ? mesh.cell_values(step->start.displacement, cell) : V);
-        for (const ForceTerm *term : terms)
-          if (acts_on(*term, element, state, loads))
-            {
-              const ForceTerm::CellState at{
-                element.index, cell, V, state, loads};
-              if (step)
-                term->add_load_derivative_over_step(
-                  {element.index, cell, V_0, step->start, step->loads_at_start},
-                  at,
-                  rates,
-                  force);
-              else
-                term->add_load_derivative(at, rates, force);
-            }
+        add_load_derivative(element, state, loads, rates, force);
         if (force.norm_square() > 0)
-          mesh.add_nodal_forces(cell, force, direction);
+          mesh.add_nodal_forces(*element.cell, force, direction);
       }
     for (const ForceTerm *term : terms)
       term->add_load_derivative_of_couplings(state, loads, rates, direction);
     direction.compress(VectorOperation::add);
     return direction;
+  }
+
+
+  void
+  ShellEquations::add_load_derivative(const Element             &element,
+                                      const State               &state,
+                                      const Loads               &loads,
+                                      const LoadRates           &rates,
+                                      MixedElement::NodalVector &force) const
+  {
+    const Cell       &cell = *element.cell;
+    const StepInTime *step = state.step.get();
+    const auto        V    = mesh.cell_values(state.displacement, cell);
+    // in a step in time, forces depend on both of its ends
+    const auto V_0 =
+      (step ? mesh.cell_values(step->start.displacement, cell) : V);
+    for (const ForceTerm *term : terms)
+      if (acts_on(*term, element, state, loads))
+        {
+          const ForceTerm::CellState at{element.index, cell, V, state, loads};
+          if (step)
+            term->add_load_derivative_over_step(
+              {element.index, cell, V_0, step->start, step->loads_at_start},
+              at,
+              rates,
+              force);
+          else
+            term->add_load_derivative(at, rates, force);
+        }
+  }
+
+
+  void
+  ShellEquations::for_each_moved(
+    const LA::Vector                                               &moved,
+    const State                                                    &state,
+    const Loads                                                    &loads,
+    const std::function<void(const Element                   &element,
+                             const MixedElement::NodalVector &moved,
+                             const ForceTerm::CellForces &forces)> &function)
+    const
+  {
+    ForceTerm::CellForces forces;
+    for (const Element &element : elements)
+      {
+        const auto of_element = mesh.cell_values(moved, *element.cell);
+        if (of_element.norm_square() == 0)
+          continue;
+        sum_forces(element, state, loads, forces);
+        function(element, of_element, forces);
+      }
+  }
+
+
+  namespace
+  {
+    /** The displacements of the supports for the given rates of the loads, with
+     * the entries of all nodes of this rank. */
+    LA::Vector
+    motion_of_supports(const ShellMesh &mesh, const LoadRates &rates)
+    {
+      LA::Vector owned = mesh.owned_vector();
+      for (const PrescribedDisplacement &p : mesh.prescribed)
+        if (mesh.locally_owned.is_element(p.dof))
+          for (unsigned int i = 0; i < p.values.size(); ++i)
+            owned(p.dof) += factor_at(rates.factors, i) * p.values[i];
+      owned.compress(VectorOperation::add);
+      LA::Vector result = mesh.ghosted_vector();
+      result            = owned;
+      return result;
+    }
+  } // namespace
+
+
+  std::optional<EquationSystem::MovedSupports>
+  ShellEquations::moved_supports(const State     &state,
+                                 const Loads     &loads_at_end,
+                                 const LoadRates &rates) const
+  {
+    const LA::Vector motion = motion_of_supports(mesh, rates);
+    if (motion.linfty_norm() == 0)
+      return {};
+    MovedSupports result{owned_part(motion), mesh.owned_vector()};
+    for_each_moved(motion,
+                   state,
+                   acting_loads(state, loads_at_end),
+                   [&](const Element                   &element,
+                       const MixedElement::NodalVector &moved,
+                       const ForceTerm::CellForces     &forces) {
+                     MixedElement::NodalVector force;
+                     for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
+                       for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
+                         force[i] -= forces.tangent[i][j] * moved[j];
+                     mesh.add_nodal_forces(*element.cell, force, result.forces);
+                   });
+    result.forces.compress(VectorOperation::add);
+    mesh.condense(result.forces);
+    return result;
+  }
+
+
+  LinearizedResultant
+  ShellEquations::power_of_supports(const State                  &state,
+                                    const Loads                  &loads_at_end,
+                                    const LoadRates              &motion,
+                                    const std::vector<LoadRates> &rates) const
+  {
+    const Loads         loads = acting_loads(state, loads_at_end);
+    const LA::Vector    moved = motion_of_supports(mesh, motion);
+    const LA::Vector    owned = owned_part(moved);
+    LinearizedResultant result;
+    result.gradient = mesh.owned_vector();
+
+    // supports exert the opposite of all other forces: the value, its
+    // magnitude, then the derivatives by the loads
+    std::vector<double> sums(2 + rates.size());
+    for_each_moved(
+      moved,
+      state,
+      loads,
+      [&](const Element                   &element,
+          const MixedElement::NodalVector &motion_of_element,
+          const ForceTerm::CellForces     &forces) {
+        const double power =
+          -(motion_of_element * (forces.force + forces.load));
+        sums[0] += power;
+        sums[1] += std::abs(power);
+        MixedElement::NodalVector gradient;
+        for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
+          for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
+            gradient[j] += motion_of_element[i] * forces.tangent[i][j];
+        mesh.add_nodal_forces(*element.cell, gradient, result.gradient);
+        for (unsigned int k = 0; k < rates.size(); ++k)
+          {
+            MixedElement::NodalVector change;
+            add_load_derivative(element, state, loads, rates[k], change);
+            sums[2 + k] -= motion_of_element * change;
+          }
+      });
+    Utilities::MPI::sum(sums, mesh.communicator, sums);
+    result.gradient.compress(VectorOperation::add);
+
+    const auto power_of_dead_forces = [&](const LoadRates &of_loads) {
+      LA::Vector dead = mesh.owned_vector();
+      for (const ForceTerm *term : terms)
+        term->add_dead_forces(of_loads, dead);
+      dead.compress(VectorOperation::add);
+      return -(owned * dead);
+    };
+    LA::Vector constant = mesh.owned_vector();
+    internal.add_constant_forces(state, constant);
+    constant.compress(VectorOperation::add);
+    double       square = 0;
+    const double others =
+      power_of_dead_forces({loads.pressure, loads.factors, 0}) -
+      owned * constant - owned * coupled_forces(state, loads, square);
+    result.value     = sums[0] + others;
+    result.magnitude = sums[1] + std::abs(others);
+    for (unsigned int k = 0; k < rates.size(); ++k)
+      result.per_load.push_back(sums[2 + k] + power_of_dead_forces(rates[k]));
+
+    // the loads that follow from the displacements of the whole shell
+    std::vector<DependentLoads> dependent;
+    for (const ForceTerm *term : terms)
+      term->add_dependent_loads(state, loads, dependent);
+    for (const DependentLoads &load : dependent)
+      result.gradient.add(
+        -(owned * nodal_load_rates(state, loads_at_end, load.rates)),
+        load.gradient);
+    return result;
   }
 
 

@@ -54,8 +54,8 @@ namespace Biface
                stiffness_of_faces(mesh.strips[mesh.cells[c].strip].laminate))
             total += of_face;
 
-        double       passed = 1;
-        const double n      = end - first;
+        double             passed = 1;
+        const unsigned int n      = end - first;
         for (unsigned int k = 0; k < n; ++k)
           {
             const unsigned int c =

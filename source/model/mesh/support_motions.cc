@@ -373,8 +373,9 @@ namespace Biface
       auto         found   = rigid_motion(rows, motions, communicator, fits);
       if (fits)
         {
-          motion.kind   = SupportMotion::Kind::translation;
-          motion.amount = translation(found).norm();
+          motion.kind      = SupportMotion::Kind::translation;
+          motion.amount    = translation(found).norm();
+          motion.direction = translation(found) / motion.amount;
           return;
         }
       for (const auto &rotation : motions_of_whole(images, 3))
@@ -426,6 +427,30 @@ namespace Biface
       return Point<3>(sum / std::max(n, 1.));
     }
   } // namespace
+
+
+  std::optional<SupportMotion>
+  common_motion(const std::vector<SupportMotion> &motions,
+                const unsigned int                factor)
+  {
+    constexpr double roundoff = 1e-6;
+
+    std::optional<SupportMotion> first;
+    for (const SupportMotion &motion : motions)
+      {
+        if (motion.factor != factor)
+          continue;
+        if (!first)
+          first = motion;
+        else if (motion.kind != first->kind ||
+                 motion.multiple != first->multiple ||
+                 (motion.direction - first->direction).norm() > roundoff ||
+                 std::abs(motion.amount - first->amount) >
+                   roundoff * std::abs(first->amount))
+          return {};
+      }
+    return first;
+  }
 
 
   std::vector<SupportMotion>

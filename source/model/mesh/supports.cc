@@ -88,6 +88,10 @@ namespace Biface
                parse_point_supports,
                "Supports of named points: a comma-separated list of 'name: "
                "support', with supports as for edges.");
+    suspensions.add_parameters(prm,
+                               "names as in 'Load factors', such as 'supports' "
+                               "or 'supports alpha_1 min', for the whole "
+                               "structure, as the forces of supports");
   }
 
 

@@ -32,7 +32,7 @@ namespace Biface
     };
 
 
-    ContactResultant
+    LinearizedResultant
     work_of_contact(const ContactPair            &pair,
                     const State                  &state,
                     const Loads                  &loads,
@@ -41,7 +41,7 @@ namespace Biface
     {
       const ShellMesh    &mesh = pair.mesh;
       const ContactForces of_pair(pair);
-      ContactResultant    result;
+      LinearizedResultant result;
       result.gradient = mesh.owned_vector();
 
       // the value, its magnitude, then the derivatives by the loads
@@ -58,7 +58,10 @@ namespace Biface
           if (!of_pair.acts_on(c, state, loads))
             continue;
           const ForceTerm::CellState at{c, cell, V, state, loads};
-          of_pair.add(at, forces);
+          if (state.step)
+            of_pair.add_over_step(at, at, forces);
+          else
+            of_pair.add(at, forces);
           for (unsigned int i = 0; i < rates.size(); ++i)
             of_pair.add_load_derivative(at, rates[i], per_load[i]);
 
@@ -118,7 +121,7 @@ namespace Biface
   } // namespace
 
 
-  ContactResultant
+  LinearizedResultant
   ground_force(const ContactPair            &ground,
                const State                  &state,
                const Loads                  &loads,
@@ -134,7 +137,7 @@ namespace Biface
   }
 
 
-  ContactResultant
+  LinearizedResultant
   axle_moment(const ContactPair            &ground,
               const State                  &state,
               const Loads                  &loads,
@@ -153,7 +156,7 @@ namespace Biface
   }
 
 
-  ContactResultant
+  LinearizedResultant
   power_of_body(const ContactPair            &pair,
                 const State                  &state,
                 const Loads                  &loads,

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/state/step_in_time.h>
 
@@ -14,6 +18,18 @@ namespace Biface
     if (!loads.sealed_gas)
       loads.pressure = middle.pressure;
     return loads;
+  }
+
+
+  const MovingMass &
+  StepInTime::mass_with(const unsigned int factor) const
+  {
+    const auto found =
+      std::find_if(masses.begin(), masses.end(), [&](const MovingMass &mass) {
+        return mass.factor == factor;
+      });
+    AssertThrow(found != masses.end(), dealii::ExcInternalError());
+    return *found;
   }
 
 

@@ -12,6 +12,7 @@
 #include <biface/model/equations/mass_matrix.h>
 #include <biface/model/equations/shell_equations.h>
 #include <biface/model/forces/nodal_forces.h>
+#include <biface/model/quantities/contact_resultants.h>
 #include <biface/model/state/step_in_time.h>
 #include <biface/model/time/energy_of_motion.h>
 #include <biface/model/time/inertia.h>
@@ -68,6 +69,14 @@ namespace Biface
     result.strain = equations.strain_energy(state);
     for (const auto &pair : contact.pairs)
       result.contact += contact_energy(*pair, state, loads);
+    if (state.step)
+      for (const MovingMass &mass : state.step->masses)
+        {
+          result.of_masses +=
+            mass.kinetic_energy(mass.velocity_at_end(*state.step, loads));
+          result.of_springs +=
+            mass.energy_of_spring(factor_at(loads.factors, mass.factor));
+        }
     if (state.velocity.size() == 0)
       return result;
 
@@ -90,6 +99,37 @@ namespace Biface
         (*sum)[i] = Utilities::MPI::sum((*sum)[i], mesh.communicator);
     return result;
   }
+
+
+  namespace
+  {
+    /** Replace the work of bodies and supports that move with their masses on
+     * the shell by that of the forces on them, and add what their dampers
+     * dissipate. */
+    void
+    add_work_of_masses(const ContactInteraction &contact,
+                       const State              &state,
+                       const Loads              &loads,
+                       Work                     &work)
+    {
+      const StepInTime &step = *state.step;
+      for (const MovingMass &mass : step.masses)
+        {
+          LoadRates rate;
+          rate.factors.assign(loads.factors.size(), 0.);
+          rate.factors[mass.factor] = 1;
+          // supports are part of the work of the loads already
+          double on_shell = 0;
+          for (const ContactPair *pair : contact.present(loads))
+            on_shell += power_of_body(*pair, state, loads, rate).value *
+                        mass.change(step, loads) / mass.amplitude;
+          work.ground -= on_shell;
+          work.loads += on_shell + mass.resistance(step, loads).value *
+                                     mass.change(step, loads);
+          work.damping += mass.dissipated(step, loads);
+        }
+    }
+  } // namespace
 
 
   Work
@@ -133,12 +173,19 @@ namespace Biface
     result.damping          = mass_damping + of_strains - numerical;
     result.numerical        = numerical;
 
-    const EnergyOfMotion before =
+    EnergyOfMotion before =
       energy_of_motion(equations, contact, step.start, step.loads_at_start);
+    for (const MovingMass &mass : step.masses)
+      {
+        before.of_masses += mass.kinetic_energy(mass.velocity);
+        before.of_springs += mass.energy_of_spring(
+          factor_at(step.loads_at_start.factors, mass.factor));
+      }
     // what goes into the springs of contact and does not come out
     const double lost =
       result.ground - on_shell - (after.contact - before.contact);
-    result.contact    = lost - result.friction;
+    result.contact = lost - result.friction;
+    add_work_of_masses(contact, state, loads, result);
     result.unbalanced = after.sum() - before.sum() - result.loads -
                         result.ground + result.damping + result.numerical +
                         lost;
@@ -153,9 +200,15 @@ namespace Biface
     double
     energy_at_end(const ShellEquations      &equations,
                   const State               &state,
+                  const Loads               &loads,
                   const std::vector<double> &remembered)
     {
-      return mass_product(equations.mesh, state.step->velocity(state)) / 2 +
+      double of_masses = 0;
+      for (const MovingMass &mass : state.step->masses)
+        of_masses +=
+          mass.kinetic_energy(mass.velocity_at_end(*state.step, loads));
+      return of_masses +
+             mass_product(equations.mesh, state.step->velocity(state)) / 2 +
              std::abs(equations.strain_energy(state) -
                       remembered[strain_energy_at_start]);
     }
@@ -173,7 +226,9 @@ namespace Biface
 
 
   ErrorInTime
-  error_in_time(const ShellEquations &equations, const State &state)
+  error_in_time(const ShellEquations &equations,
+                const State          &state,
+                const Loads          &loads)
   {
     const ShellMesh          &mesh = equations.mesh;
     const StepInTime         &step = *state.step;
@@ -182,7 +237,7 @@ namespace Biface
       return {};
     // what round-off and the iteration leave is no motion
     constexpr double negligible = 1e-9;
-    const double     now        = energy_at_end(equations, state, last);
+    const double     now        = energy_at_end(equations, state, loads, last);
     ErrorInTime      result;
     result.from_rest  = last[largest_energy] <= negligible * now;
     LA::Vector change = step.acceleration(state), before = mesh.owned_vector();
@@ -198,15 +253,23 @@ namespace Biface
     // end of this step
     const double energy = std::max(last[largest_energy], now);
     const double dt = step.duration, between = (dt + last[duration]) / 2;
+    double       square = mass_product(mesh, change);
+    for (const MovingMass &mass : step.masses)
+      {
+        const double of_mass =
+          mass.acceleration(step, loads) - mass.last_acceleration;
+        square += mass.mass * of_mass * of_mass;
+      }
     if (energy > 0)
-      result.value = dt * dt / 12 / between *
-                     std::sqrt(mass_product(mesh, change) / (2 * energy));
+      result.value = dt * dt / 12 / between * std::sqrt(square / (2 * energy));
     return result;
   }
 
 
   void
-  remember_motion(const ShellEquations &equations, State &state)
+  remember_motion(const ShellEquations &equations,
+                  const Loads          &loads,
+                  State                &state)
   {
     const ShellMesh  &mesh = equations.mesh;
     const StepInTime &step = *state.step;
@@ -220,7 +283,12 @@ namespace Biface
     term.numbers[duration] = step.duration;
     term.numbers[largest_energy] =
       std::max(term.numbers[largest_energy],
-               energy_at_end(equations, state, term.numbers));
+               energy_at_end(equations, state, loads, term.numbers));
+    for (const MovingMass &mass : step.masses)
+      MovingMass::set_motion(
+        state,
+        mass.factor,
+        {mass.velocity_at_end(step, loads), mass.acceleration(step, loads)});
 
     const LA::Vector acceleration = with_ghosts(mesh, step.acceleration(state));
     term.at_nodes.reinit(mesh.nodes.size(), mesh.n_dofs_per_node());

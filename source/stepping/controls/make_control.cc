@@ -22,10 +22,10 @@ namespace Biface
 
 
     /** The resultants that a stage prescribes. */
-    ResultantControl::Resultants
+    ControlledResultants
     prescribed_resultants(const Stage &stage)
     {
-      ResultantControl::Resultants resultants;
+      ControlledResultants resultants;
       if (stage.prescribes_force())
         resultants.push_back(controlled_force());
       if (stage.prescribes_axle_moment())
@@ -54,7 +54,8 @@ namespace Biface
           {
             const auto resultants = prescribed_resultants(stage);
             if (stage.inertia)
-              return make<TimeControl>(stage, parameters);
+              return std::make_unique<TimeControl>(
+                stage, parameters, resultants);
             if (resultants.empty())
               return make<LoadControl>(stage, parameters);
             return std::make_unique<ResultantControl>(

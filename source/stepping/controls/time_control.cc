@@ -8,14 +8,93 @@
 
 namespace Biface
 {
+  TimeControl::TimeControl(const Stage                &stage,
+                           const Parameters           &parameters,
+                           const ControlledResultants &forces)
+    : LoadControl(stage, parameters), forces(forces)
+  {}
+
+
+  void
+  TimeControl::check(const std::string &section, const ShellMesh &mesh) const
+  {
+    Biface::check(forces, section, mesh);
+  }
+
+
+  Control::KnownStart
+  TimeControl::known_end(const KnownStart &start) const
+  {
+    return without_found_loads(forces, LoadControl::known_end(start));
+  }
+
+
   Control::Trial
   TimeControl::propose(const Equilibrium &from) const
   {
-    Trial trial = LoadControl::propose(from);
-    trial.level = [this](const LoadParameters &mu) {
-      return level_in_time(mu[0]);
+    const double begin = fraction, end = next();
+    const auto at = [this, begin, end, start = from.level](const double part) {
+      return with_found_loads(level_in_time(begin + part * (end - begin)),
+                              start);
     };
+    Trial trial  = LoadControl::propose(from);
+    trial.within = at;
+    if (forces.empty())
+      {
+        trial.level = [this](const LoadParameters &mu) {
+          return level_in_time(mu[0]);
+        };
+        return trial;
+      }
+    trial.level = [this, at_end = at(1)](const LoadParameters &mu) {
+      LoadLevel level = at_end;
+      for (unsigned int i = 0; i < forces.size(); ++i)
+        forces[i]->load(level) = mu[i];
+      return level;
+    };
+    trial.mu.clear();
+    for (const auto &force : forces)
+      trial.mu.push_back(force->guess(from, at(1)));
+    trial.equations = std::make_shared<const ResultantEquations>(
+      forces, forces_at((begin + end) / 2), &from.contact);
     return trial;
+  }
+
+
+  LoadLevel
+  TimeControl::with_found_loads(const LoadLevel &level,
+                                const LoadLevel &found) const
+  {
+    LoadLevel result = level, from = found;
+    for (const auto &force : forces)
+      force->load(result) = force->load(from);
+    return result;
+  }
+
+
+  std::vector<double>
+  TimeControl::forces_at(const double at) const
+  {
+    std::vector<double> result;
+    for (const MotionByForce &motion : stage.motions_by_force)
+      {
+        result.push_back(motion.force);
+        for (const auto &[name, formula] : stage.histories)
+          if (name == motion.name())
+            result.back() = formula({at * stage.duration});
+      }
+    return result;
+  }
+
+
+  void
+  TimeControl::change_path(const Stage &now, const LoadLevel &reached)
+  {
+    // loads that forces find follow no path
+    go_on_from(common_part(progressions_of_loads(
+                 with_found_loads(reached, start),
+                 with_found_loads(now.end(start), start))),
+               reached);
   }
 
 

@@ -4,13 +4,15 @@
 #define biface_model_contact_approach_h
 
 #include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <functional>
 
 #include <biface/contact/active_set.h>
 
 namespace Biface
 {
   class ContactPair;
-  struct LoadRates;
   struct Loads;
   struct State;
 
@@ -74,13 +76,16 @@ namespace Biface
   /** The way of the body until it is in a free node of the face, by the given
    * depth and its velocity at present; infinite if it approaches none. Must be
    * called on all ranks.
-   * @param direction the rates of the loads per way. */
+   * @param velocity that of the body at a point relative to the shell, per
+   * way. */
   double
-  distance_to_contact(const ContactPair &pair,
-                      const State       &state,
-                      const Loads       &loads,
-                      const LoadRates   &direction,
-                      const double       depth);
+  distance_to_contact(
+    const ContactPair &pair,
+    const State       &state,
+    const Loads       &loads,
+    const std::function<dealii::Tensor<1, 3>(const dealii::Point<3> &)>
+                &velocity,
+    const double depth);
 } // namespace Biface
 
 #endif

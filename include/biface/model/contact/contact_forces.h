@@ -43,10 +43,22 @@ namespace Biface
                   const CellState &end,
                   CellForces      &forces) const override;
 
+    /** Add the derivative of the forces at the active points or, over a
+     * StepInTime, of those of add_over_step(). */
     void
     add_load_derivative(const CellState           &at,
                         const LoadRates           &rates,
                         MixedElement::NodalVector &force) const override;
+
+    void
+    add_load_derivative_over_step(
+      const CellState & /*start*/,
+      const CellState           &end,
+      const LoadRates           &rates,
+      MixedElement::NodalVector &force) const override
+    {
+      add_load_derivative(end, rates, force);
+    }
 
     void
     add_coupled_forces(const State &state,

@@ -4,12 +4,14 @@
 #define biface_model_equations_equation_system_h
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
 #include <biface/model/forces/nonlocal_stiffness.h>
 #include <biface/model/mesh/shell_mesh.h>
+#include <biface/model/quantities/linearized_resultant.h>
 
 namespace Biface
 {
@@ -130,6 +132,45 @@ namespace Biface
     load_direction(const State     &state,
                    const Loads     &loads,
                    const LoadRates &rates) const = 0;
+
+    /** A motion of supports, and the forces on the free unknowns by it, see
+     * load_direction(). */
+    struct MovedSupports
+    {
+      LA::Vector displacement, forces;
+    };
+
+    /** The motion of the supports for the given rates of the loads, without
+     * the part of the tangent that low_rank_part() gives; none if they stay
+     * where they are. Must be called on all ranks. */
+    virtual std::optional<MovedSupports>
+    moved_supports(const State & /*state*/,
+                   const Loads & /*loads*/,
+                   const LoadRates & /*rates*/) const
+    {
+      return {};
+    }
+
+    /**
+     * The power of the supports, by their forces on the shell, in a motion with
+     * the given rates of the loads. The gradient refers to all unknowns, those
+     * of the supports included. Over a StepInTime, the forces are the mean
+     * ones.
+     *
+     * Must be called on all ranks.
+     *
+     * @param rates of the loads by which the power is differentiated, at given
+     * displacements of the supports.
+     */
+    virtual LinearizedResultant
+    power_of_supports(const State & /*state*/,
+                      const Loads & /*loads*/,
+                      const LoadRates & /*motion*/,
+                      const std::vector<LoadRates> & /*rates*/) const
+    {
+      Assert(false, dealii::ExcNotImplemented());
+      return {};
+    }
 
     /** The norm of residual() relative to the norm of the forces that cancel in
      * it: a pure number. */

@@ -5,7 +5,9 @@
 
 #include <deal.II/lac/affine_constraints.h>
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
@@ -154,6 +156,17 @@ namespace Biface
                    const Loads     &loads,
                    const LoadRates &rates) const override;
 
+    std::optional<MovedSupports>
+    moved_supports(const State     &state,
+                   const Loads     &loads,
+                   const LoadRates &rates) const override;
+
+    LinearizedResultant
+    power_of_supports(const State                  &state,
+                      const Loads                  &loads,
+                      const LoadRates              &motion,
+                      const std::vector<LoadRates> &rates) const override;
+
     /** The norms of nodal forces that are out of balance in a shape with given
      * resultants and loads. Unit: force. */
     struct Unbalance
@@ -289,6 +302,27 @@ namespace Biface
                const State           &state,
                const Loads           &loads,
                ForceTerm::CellForces &forces) const;
+
+    /** Call a function for each element on which a vector is not zero, with its
+     * values there and the forces of all terms. */
+    void
+    for_each_moved(
+      const LA::Vector                                               &moved,
+      const State                                                    &state,
+      const Loads                                                    &loads,
+      const std::function<void(const Element                   &element,
+                               const MixedElement::NodalVector &moved,
+                               const ForceTerm::CellForces &forces)> &function)
+      const;
+
+    /** Add the derivative of the forces of all terms on an element for the
+     * given rates of the loads. */
+    void
+    add_load_derivative(const Element             &element,
+                        const State               &state,
+                        const Loads               &loads,
+                        const LoadRates           &rates,
+                        MixedElement::NodalVector &force) const;
 
     /** Set the inhomogeneities of the constraints to the missing part of the
      * prescribed displacements. */

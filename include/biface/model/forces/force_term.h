@@ -164,7 +164,7 @@ namespace Biface
 
     /** Add what add_load_derivative() adds, over a StepInTime, see
      * add_over_step(). */
-    void
+    virtual void
     add_load_derivative_over_step(const CellState           &start,
                                   const CellState           &end,
                                   const LoadRates           &rates,

@@ -4,8 +4,11 @@
 #define biface_model_mesh_support_motion_h
 
 #include <deal.II/base/numbers.h>
+#include <deal.II/base/tensor.h>
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace Biface
 {
@@ -43,6 +46,8 @@ namespace Biface
      * for an edge or point that one plane of symmetry halves. */
     double multiple;
     Kind   kind = Kind::other;
+    /** The unit vector along a translation; zero for the other kinds. */
+    dealii::Tensor<1, 3> direction = dealii::Tensor<1, 3>();
     /** The displacement at the load factor 1. Unit: length, or radians. */
     double amount = 0;
 
@@ -69,6 +74,14 @@ namespace Biface
              (kind == Kind::rotation ? 180 / dealii::numbers::PI : 1.);
     }
   };
+
+
+  /** The common motion of all supports with a load factor, as of edges on the
+   * same rim: the first of those given with this factor; none if there is none
+   * or if they differ in kind, amount or multiple. */
+  std::optional<SupportMotion>
+  common_motion(const std::vector<SupportMotion> &motions,
+                const unsigned int                factor);
 } // namespace Biface
 
 #endif

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <biface/contact/suspension.h>
 #include <biface/input/formula.h>
 #include <biface/model/mesh/component.h>
 
@@ -105,6 +106,10 @@ namespace Biface
     std::vector<PointSupport> points;
     /** The supports of the edges of a mesh from a file. */
     std::vector<EdgeSupport> named_edges;
+    /** Of prescribed displacements, by the names of their factors in 'Load
+     * factors' of the stages; their forces are those of the whole structure,
+     * see SupportMotion::multiple. */
+    SuspensionParameters suspensions;
 
     void
     add_parameters(EntryDeclarations &prm);

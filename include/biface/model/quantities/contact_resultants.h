@@ -5,49 +5,20 @@
 
 #include <vector>
 
-#include <biface/base/linear_algebra.h>
-#include <biface/model/state/load_rates.h>
+#include <biface/model/quantities/linearized_resultant.h>
 
 namespace Biface
 {
   class ContactPair;
+  struct LoadRates;
   struct Loads;
   struct State;
-
-
-  /** A component of the resultant of the forces between shell and ground,
-   * or another body, with its derivatives for a fixed active set. */
-  struct ContactResultant
-  {
-    double value = 0;
-    /** The sum of the absolute values of the contributions that add up to the
-     * value. */
-    double magnitude = 0;
-    /** The derivative of the value with respect to the displacements. */
-    LA::Vector gradient;
-    /** The derivatives of the value with respect to load parameters: one for
-     * each of the given rates of the loads. */
-    std::vector<double> per_load;
-
-    /** Add the resultant of another body, for the same rates. */
-    ContactResultant &
-    operator+=(const ContactResultant &other)
-    {
-      value += other.value;
-      magnitude += other.magnitude;
-      gradient += other.gradient;
-      AssertDimension(per_load.size(), other.per_load.size());
-      for (unsigned int i = 0; i < per_load.size(); ++i)
-        per_load[i] += other.per_load[i];
-      return *this;
-    }
-  };
 
 
   /** The compressive force on the ground, along its direction. Unit: force.
    *
    * Must be called on all ranks. */
-  ContactResultant
+  LinearizedResultant
   ground_force(const ContactPair            &ground,
                const State                  &state,
                const Loads                  &loads,
@@ -66,7 +37,7 @@ namespace Biface
    *
    * Must be called on all ranks.
    */
-  ContactResultant
+  LinearizedResultant
   axle_moment(const ContactPair            &ground,
               const State                  &state,
               const Loads                  &loads,
@@ -76,11 +47,12 @@ namespace Biface
   /**
    * The power of a body, by its forces on the shell, in a motion with the given
    * rates of the loads: for a translation of unit velocity the force along it,
-   * for a turn of unit angular velocity the moment about the axis.
+   * for a turn of unit angular velocity the moment about the axis. Over a
+   * StepInTime, that of its mean forces; its motions then only translate.
    *
    * Must be called on all ranks; the body must be there.
    */
-  ContactResultant
+  LinearizedResultant
   power_of_body(const ContactPair            &pair,
                 const State                  &state,
                 const Loads                  &loads,

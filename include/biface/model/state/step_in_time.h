@@ -3,9 +3,12 @@
 #ifndef biface_model_state_step_in_time_h
 #define biface_model_state_step_in_time_h
 
+#include <vector>
+
 #include <biface/model/state/damping_in_time.h>
 #include <biface/model/state/load_rates.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/moving_mass.h>
 #include <biface/model/state/state.h>
 
 namespace Biface
@@ -35,6 +38,8 @@ namespace Biface
     /** Unit: time. */
     double        duration = 0;
     DampingInTime damping;
+    /** The bodies and supports that move with their masses. */
+    std::vector<MovingMass> masses;
     /** Whether the tangent holds points that slip against their traction, too,
      * by its secant: an iteration that would throw them to and fro then
      * converges, though more slowly. */
@@ -44,6 +49,10 @@ namespace Biface
      * supports. Readable at all nodes of this rank; empty for nothing. Unit:
      * length/time². */
     LA::Vector of_supports;
+
+    /** The mass with a load factor, which there must be. */
+    const MovingMass &
+    mass_with(const unsigned int factor) const;
 
     /** The part of the change of the stresses that acts over the step,
      * @f$\kappa=\frac12+\frac\chi2+\tau/\Delta t@f$ with

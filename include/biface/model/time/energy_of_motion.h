@@ -16,15 +16,18 @@ namespace Biface
   struct State;
 
 
-  /** The energies of a shell that moves, and its momenta. Unit: force times
-   * length, and force times time. */
+  /** The energies of a shell that moves, with its bodies, and the momenta of
+   * the shell. Unit: force times length, and force times time. */
   struct EnergyOfMotion
   {
     double kinetic = 0;
     /** The energy of ShellEquations::strain_energy(). */
     double strain = 0;
     /** The energy of the springs of contact. */
-    double               contact = 0;
+    double contact = 0;
+    /** The kinetic energy of bodies and supports with masses, and the energy of
+     * their springs, see MovingMass. */
+    double               of_masses = 0, of_springs = 0;
     dealii::Tensor<1, 3> momentum;
     /** About the origin. Unit: force times length times time. */
     dealii::Tensor<1, 3> angular_momentum;
@@ -32,13 +35,13 @@ namespace Biface
     double
     sum() const
     {
-      return kinetic + strain + contact;
+      return kinetic + strain + contact + of_masses + of_springs;
     }
   };
 
 
   /** Must be called on all ranks.
-   * @param state that moves. */
+   * @param state that moves; at the end of a StepInTime, with its masses. */
   EnergyOfMotion
   energy_of_motion(const ShellEquations     &equations,
                    const ContactInteraction &contact,
@@ -80,17 +83,22 @@ namespace Biface
   };
 
   /** Must be called on all ranks.
-   * @param state at the end of the step. */
+   * @param state, loads at the end of the step. */
   ErrorInTime
-  error_in_time(const ShellEquations &equations, const State &state);
+  error_in_time(const ShellEquations &equations,
+                const State          &state,
+                const Loads          &loads);
 
 
   /** Let a state at the end of a step remember what error_in_time() needs: its
    * acceleration, and the largest energy of the motion since the start of the
-   * stage.
-   * @param state at the end of the step, with its new velocity. */
+   * stage; and the motions of masses.
+   * @param state at the end of the step, with its new velocity.
+   * @param loads there. */
   void
-  remember_motion(const ShellEquations &equations, State &state);
+  remember_motion(const ShellEquations &equations,
+                  const Loads          &loads,
+                  State                &state);
 } // namespace Biface
 
 #endif

@@ -26,6 +26,9 @@ namespace Biface
     /** The size of the step as a fraction of the stage, for predictors, if
      * states change in proportion to it; otherwise 0. */
     double size = 0;
+    /** The loads at a part of a step in time, of which 1 is its end; those that
+     * equations find are those of the start. */
+    std::function<LoadLevel(const double)> within = {};
   };
 } // namespace Biface
 

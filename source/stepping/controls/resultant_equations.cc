@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/lac/exceptions.h>
+#include <deal.II/lac/lapack_full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <biface/stepping/controls/resultant_equations.h>
+
+namespace Biface
+{
+  using namespace dealii;
+
+  namespace
+  {
+    std::vector<LoadRates>
+    rates_of(const ControlledResultants &resultants)
+    {
+      std::vector<LoadRates> rates;
+      for (const auto &resultant : resultants)
+        rates.push_back(resultant->rate());
+      return rates;
+    }
+
+
+    /** Solve a small linear system; the solution is not finite if there is
+     * none. */
+    std::vector<double>
+    solve(LAPACKFullMatrix<double> &matrix, Vector<double> &rhs)
+    {
+      try
+        {
+          matrix.compute_lu_factorization();
+        }
+      catch (const LACExceptions::ExcSingular &)
+        {
+          return std::vector<double>(rhs.size(),
+                                     std::numeric_limits<double>::quiet_NaN());
+        }
+      matrix.solve(rhs);
+      return std::vector<double>(rhs.begin(), rhs.end());
+    }
+    /** Whether a resultant depends on its load by more than the round-off of
+     * forces that cancel where the shell follows as a rigid body.
+     * @param dV_q the displacements per unit of the load. */
+    bool
+    depends_on(const ControlledResultant         &resultant,
+               const ControlEquations::Iteration &iteration,
+               const LA::Vector                  &dV_q)
+    {
+      constexpr double roundoff = 1e-11;
+
+      const LinearizedResultant now =
+        resultant.evaluate(iteration, {resultant.rate()});
+      double absolute = 0;
+      for (const auto i : dV_q.locally_owned_elements())
+        absolute += std::abs(now.gradient(i) * dV_q(i));
+      absolute = Utilities::MPI::sum(absolute, dV_q.get_mpi_communicator());
+      return std::abs(now.gradient * dV_q + now.per_load[0]) >
+             roundoff * (absolute + std::abs(now.per_load[0]));
+    }
+  } // namespace
+
+
+  void
+  check(const ControlledResultants &resultants,
+        const std::string          &section,
+        const ShellMesh            &mesh)
+  {
+    for (const auto &resultant : resultants)
+      resultant->check_mesh(section, mesh);
+  }
+
+
+  Control::KnownStart
+  without_found_loads(const ControlledResultants &resultants,
+                      const Control::KnownStart  &end)
+  {
+    Control::KnownStart result = end;
+    for (const auto &resultant : resultants)
+      resultant->known_load(result).reset();
+    return result;
+  }
+
+
+  ResultantEquations::ResultantEquations(const ControlledResultants &resultants,
+                                         const std::vector<double>  &values,
+                                         const ContactInteraction   *contact)
+    : ControlEquations(rates_of(resultants))
+    , resultants(resultants)
+    , values(values)
+    , contact(contact)
+  {}
+
+
+  LoadedShell
+  ResultantEquations::with_contact(const LoadedShell &shell) const
+  {
+    return {shell.equations,
+            contact ? *contact : shell.contact,
+            shell.state,
+            shell.loads};
+  }
+
+
+  LoadParameters
+  ResultantEquations::parameter_changes(
+    const Iteration               &iteration,
+    const LA::Vector              &dV_R,
+    const std::vector<LA::Vector> &dV_q) const
+  {
+    // out of contact a resultant and its derivatives vanish, and the system
+    // is singular: first this load alone moves
+    const unsigned int n = resultants.size();
+    for (unsigned int i = 0; i < n; ++i)
+      if (const auto change =
+            resultants[i]->change_into_contact(values[i], iteration);
+          change && !(resultants[i]->is_held_elsewhere() &&
+                      depends_on(*resultants[i], iteration, dV_q[i])))
+        {
+          LoadParameters changes(n);
+          changes[i] = *change;
+          return changes;
+        }
+
+    LoadParameters changes =
+      parameter_changes_about(iteration, iteration, dV_R, dV_q);
+    // all changes are shortened alike, to keep the direction of the linear
+    // solution
+    double part = 1;
+    for (unsigned int i = 0; i < n; ++i)
+      if (std::isfinite(changes[i]))
+        part = std::min(part,
+                        resultants[i]->largest_change() / std::abs(changes[i]));
+    for (double &change : changes)
+      change *= part;
+    return changes;
+  }
+
+
+  LoadParameters
+  ResultantEquations::parameter_changes_about(
+    const Iteration               &about,
+    const Iteration               &iteration,
+    const LA::Vector              &dV_R,
+    const std::vector<LA::Vector> &dV_q) const
+  {
+    // the system of section 7, with a row for each resultant and a column
+    // for each unknown load
+    const unsigned int       n = resultants.size();
+    LAPACKFullMatrix<double> matrix(n);
+    Vector<double>           missing(n);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const LinearizedResultant linear =
+          resultants[i]->evaluate(with_contact(about), rates);
+        // derivatives are those of 'about', what is missing that of the
+        // iterate
+        const double now =
+          (&about == &iteration
+             ? linear.value
+             : resultants[i]->evaluate(with_contact(iteration), {}).value);
+        missing[i] = values[i] - now - linear.gradient * dV_R;
+        for (unsigned int j = 0; j < n; ++j)
+          matrix(i, j) = linear.gradient * dV_q[j] + linear.per_load[j];
+        // a body without force that touches nothing stays where it is
+        if (values[i] == 0 && linear.magnitude == 0 && matrix(i, i) == 0)
+          matrix(i, i) = 1;
+      }
+    return solve(matrix, missing);
+  }
+
+
+  std::string
+  ResultantEquations::remedies() const
+  {
+    std::string text;
+    for (const auto &resultant : resultants)
+      text += (text.empty() ? "" : "; ") + resultant->remedies();
+    return text;
+  }
+
+
+  double
+  ResultantEquations::violation(const Iteration &iteration) const
+  {
+    double largest = 0;
+    for (unsigned int i = 0; i < resultants.size(); ++i)
+      {
+        const LinearizedResultant now =
+          resultants[i]->evaluate(with_contact(iteration), {});
+        // also where the scale is 0, as of nothing that touches
+        if (now.value == values[i])
+          continue;
+        const double relative = std::abs(now.value - values[i]) /
+                                resultants[i]->scale(values[i], now, iteration);
+        // not a number is none
+        largest = (relative <= largest ? largest : relative);
+      }
+    return largest;
+  }
+} // namespace Biface
