@@ -110,7 +110,11 @@ namespace Biface
     step->loads_at_start = run.loads_at(run.progress.reached);
     step->duration       = trial.within(1).time - run.progress.reached.time;
     step->damping        = run.stage.damping_in_time;
-    step->masses = masses_of_stage(run.stage, run.equations.mesh, run.state);
+    step->masses         = masses_of_stage(run.stage,
+                                   run.equations.mesh,
+                                   run.state,
+                                   step->loads_at_start,
+                                   step->duration);
     LoadParameters guess_of_mu = trial.mu;
     for (unsigned int i = 0; i < step->masses.size(); ++i)
       guess_of_mu[i] +=

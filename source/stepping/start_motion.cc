@@ -110,12 +110,14 @@ namespace Biface
 
     /** Set the velocities at which the masses of a stage start. */
     std::vector<MovingMass>
-    start_masses(const Stage      &stage,
-                 const ShellMesh  &mesh,
-                 const LA::Vector &of_supports,
-                 State            &state)
+    start_masses(const Stage             &stage,
+                 const ShellMesh         &mesh,
+                 const LA::Vector        &of_supports,
+                 const LoadsOfStepInTime &first,
+                 State                   &state)
     {
-      std::vector<MovingMass> masses = masses_of_stage(stage, mesh, state);
+      std::vector<MovingMass> masses =
+        masses_of_stage(stage, mesh, state, first.before, first.duration);
       MovingMass::bring_to_rest(state);
       for (unsigned int i = 0; i < masses.size(); ++i)
         {
@@ -161,7 +163,7 @@ namespace Biface
     mesh.constraints.distribute(velocity);
     of_supports -= velocity;
     const std::vector<MovingMass> masses =
-      start_masses(stage, mesh, of_supports, state);
+      start_masses(stage, mesh, of_supports, first, state);
 
     // otherwise the velocities of supports that move would change between twice
     // their velocity and none

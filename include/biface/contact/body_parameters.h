@@ -92,7 +92,7 @@ namespace Biface
     FrictionCoefficient friction;
 
     std::vector<BodyMotion> motions;
-    /** By the names of motions. */
+    /** What resists the motions, by their names. */
     SuspensionParameters suspensions;
 
     void

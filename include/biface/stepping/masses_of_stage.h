@@ -9,6 +9,7 @@
 
 namespace Biface
 {
+  struct Loads;
   struct PrescribedDisplacement;
   class ShellMesh;
   struct Stage;
@@ -16,11 +17,14 @@ namespace Biface
 
   /** The bodies and supports whose motions forces find in a stage with inertia,
    * in the order of StageControl::motions_by_force.
-   * @param state whose motions they have at the start of the step. */
+   * @param state, loads at the start of the step.
+   * @param duration of the step. */
   std::vector<MovingMass>
   masses_of_stage(const Stage     &stage,
                   const ShellMesh &mesh,
-                  const State     &state);
+                  const State     &state,
+                  const Loads     &loads,
+                  const double     duration);
 
 
   /** The velocity of a prescribed displacement by masses that carry its

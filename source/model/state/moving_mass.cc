@@ -3,50 +3,44 @@
 #include <cmath>
 #include <vector>
 
+#include <biface/model/state/loads.h>
 #include <biface/model/state/moving_mass.h>
 #include <biface/model/state/state.h>
-#include <biface/model/state/step_in_time.h>
 
 namespace Biface
 {
   double
-  MovingMass::change(const StepInTime &step, const Loads &end) const
+  MovingMass::change(const Loads &end) const
   {
-    return amplitude * (factor_at(end.factors, factor) -
-                        factor_at(step.loads_at_start.factors, factor));
+    return amplitude * factor_at(end.factors, factor) - displacement;
   }
 
 
   double
-  MovingMass::velocity_at_end(const StepInTime &step, const Loads &end) const
+  MovingMass::velocity_at_end(const Loads &end) const
   {
-    return 2 * change(step, end) / step.duration - velocity;
+    return 2 * change(end) / duration - velocity;
   }
 
 
   double
-  MovingMass::acceleration(const StepInTime &step, const Loads &end) const
+  MovingMass::acceleration(const Loads &end) const
   {
-    return (velocity_at_end(step, end) - velocity) / step.duration;
+    return (velocity_at_end(end) - velocity) / duration;
   }
 
 
   MovingMass::Resistance
-  MovingMass::resistance(const StepInTime &step, const Loads &end) const
+  MovingMass::resistance(const Loads &end) const
   {
-    const double dt   = step.duration,
-                 mean = amplitude *
-                        (factor_at(step.loads_at_start.factors, factor) +
-                         factor_at(end.factors, factor)) /
-                        2,
-                 of_mass   = mass * acceleration(step, end),
-                 of_damper = damping * change(step, end) / dt,
-                 of_spring = stiffness * mean;
+    const double dt = duration, of_mass = mass * acceleration(end),
+                 of_damper = damping * change(end) / dt,
+                 of_spring = stiffness * (displacement + change(end) / 2);
     Resistance result;
     result.value = of_mass + of_damper + of_spring;
     // the acceleration is the difference of two large numbers
     result.magnitude =
-      mass * (std::abs(velocity_at_end(step, end)) + std::abs(velocity)) / dt +
+      mass * (std::abs(velocity_at_end(end)) + std::abs(velocity)) / dt +
       std::abs(of_damper) + std::abs(of_spring);
     result.derivative = 2 * mass / (dt * dt) + damping / dt + stiffness / 2;
     return result;
@@ -54,10 +48,10 @@ namespace Biface
 
 
   double
-  MovingMass::dissipated(const StepInTime &step, const Loads &end) const
+  MovingMass::dissipated(const Loads &end) const
   {
-    const double way = change(step, end);
-    return damping * way * way / step.duration;
+    const double way = change(end);
+    return damping * way * way / duration;
   }
 
 

@@ -72,8 +72,7 @@ namespace Biface
     if (state.step)
       for (const MovingMass &mass : state.step->masses)
         {
-          result.of_masses +=
-            mass.kinetic_energy(mass.velocity_at_end(*state.step, loads));
+          result.of_masses += mass.kinetic_energy(mass.velocity_at_end(loads));
           result.of_springs +=
             mass.energy_of_spring(factor_at(loads.factors, mass.factor));
         }
@@ -112,8 +111,7 @@ namespace Biface
                        const Loads              &loads,
                        Work                     &work)
     {
-      const StepInTime &step = *state.step;
-      for (const MovingMass &mass : step.masses)
+      for (const MovingMass &mass : state.step->masses)
         {
           LoadRates rate;
           rate.factors.assign(loads.factors.size(), 0.);
@@ -122,11 +120,11 @@ namespace Biface
           double on_shell = 0;
           for (const ContactPair *pair : contact.present(loads))
             on_shell += power_of_body(*pair, state, loads, rate).value *
-                        mass.change(step, loads) / mass.amplitude;
+                        mass.change(loads) / mass.amplitude;
           work.ground -= on_shell;
-          work.loads += on_shell + mass.resistance(step, loads).value *
-                                     mass.change(step, loads);
-          work.damping += mass.dissipated(step, loads);
+          work.loads +=
+            on_shell + mass.resistance(loads).value * mass.change(loads);
+          work.damping += mass.dissipated(loads);
         }
     }
   } // namespace
@@ -205,8 +203,7 @@ namespace Biface
     {
       double of_masses = 0;
       for (const MovingMass &mass : state.step->masses)
-        of_masses +=
-          mass.kinetic_energy(mass.velocity_at_end(*state.step, loads));
+        of_masses += mass.kinetic_energy(mass.velocity_at_end(loads));
       return of_masses +
              mass_product(equations.mesh, state.step->velocity(state)) / 2 +
              std::abs(equations.strain_energy(state) -
@@ -257,7 +254,7 @@ namespace Biface
     for (const MovingMass &mass : step.masses)
       {
         const double of_mass =
-          mass.acceleration(step, loads) - mass.last_acceleration;
+          mass.acceleration(loads) - mass.last_acceleration;
         square += mass.mass * of_mass * of_mass;
       }
     if (energy > 0)
@@ -288,7 +285,7 @@ namespace Biface
       MovingMass::set_motion(
         state,
         mass.factor,
-        {mass.velocity_at_end(step, loads), mass.acceleration(step, loads)});
+        {mass.velocity_at_end(loads), mass.acceleration(loads)});
 
     const LA::Vector acceleration = with_ghosts(mesh, step.acceleration(state));
     term.at_nodes.reinit(mesh.nodes.size(), mesh.n_dofs_per_node());

@@ -325,33 +325,33 @@ namespace Biface
       evaluate(const LoadedShell            &at,
                const std::vector<LoadRates> &rates) const override
       {
-        const double        amplitude = this->amplitude(at.equations.mesh);
-        LinearizedResultant result    = power(at, rates);
+        const double amplitude     = this->amplitude(at.equations.mesh),
+                     whole         = multiple(at.equations.mesh);
+        LinearizedResultant result = power(at, rates);
         // the power by a unit of the factor becomes a force along the
         // translation, or a moment about the axis of a motion that only turns
-        result.value /= amplitude;
-        result.magnitude /= std::abs(amplitude);
-        result.gradient /= amplitude;
+        result.value *= whole / amplitude;
+        result.magnitude *= whole / std::abs(amplitude);
+        result.gradient *= whole / amplitude;
         for (double &per_load : result.per_load)
-          per_load /= amplitude;
+          per_load *= whole / amplitude;
 
         // spring, mass and damper take their parts of the force
         MovingMass::Resistance taken;
         if (at.state.step)
-          taken = at.state.step->mass_with(factor).resistance(*at.state.step,
-                                                              at.loads);
+          taken = at.state.step->mass_with(factor).resistance(at.loads);
         else
           {
-            taken.derivative = of_stage.motion.suspension.spring;
+            taken.derivative = of_stage.motion.suspension.spring / whole;
             taken.value      = taken.derivative * amplitude *
                           factor_at(at.loads.factors, factor);
             taken.magnitude = std::abs(taken.value);
           }
-        result.value += taken.value;
-        result.magnitude += taken.magnitude;
+        result.value += whole * taken.value;
+        result.magnitude += whole * taken.magnitude;
         for (unsigned int i = 0; i < rates.size(); ++i)
-          result.per_load[i] +=
-            taken.derivative * amplitude * factor_at(rates[i].factors, factor);
+          result.per_load[i] += whole * taken.derivative * amplitude *
+                                factor_at(rates[i].factors, factor);
         return result;
       }
 
@@ -398,6 +398,14 @@ namespace Biface
        * factor 1. */
       virtual double
       amplitude(const ShellMesh &mesh) const = 0;
+
+      /** How often the part that is modeled occurs in the structure to which
+       * the force refers. */
+      virtual double
+      multiple(const ShellMesh & /*mesh*/) const
+      {
+        return 1;
+      }
 
       /** The power by a unit of the rate of the factor. */
       virtual LinearizedResultant
@@ -561,9 +569,14 @@ namespace Biface
       power(const LoadedShell            &at,
             const std::vector<LoadRates> &rates) const override
       {
-        return whole(
-          at.equations.power_of_supports(at.state, at.loads, rate(), rates),
-          at.equations.mesh);
+        return at.equations.power_of_supports(
+          at.state, at.loads, rate(), rates);
+      }
+
+      double
+      multiple(const ShellMesh &mesh) const override
+      {
+        return motion(mesh).multiple;
       }
 
     private:
@@ -573,20 +586,6 @@ namespace Biface
         const auto result = common_motion(mesh.supported.motions, factor);
         AssertThrow(result, ExcInternalError());
         return *result;
-      }
-
-      /** The power of the whole structure from that of the part that is
-       * modeled. */
-      LinearizedResultant
-      whole(LinearizedResultant result, const ShellMesh &mesh) const
-      {
-        const double multiple = motion(mesh).multiple;
-        result.value *= multiple;
-        result.magnitude *= multiple;
-        result.gradient *= multiple;
-        for (double &per_load : result.per_load)
-          per_load *= multiple;
-        return result;
       }
     };
   } // namespace

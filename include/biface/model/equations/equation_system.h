@@ -9,9 +9,9 @@
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
+#include <biface/model/equations/linearized_resultant.h>
 #include <biface/model/forces/nonlocal_stiffness.h>
 #include <biface/model/mesh/shell_mesh.h>
-#include <biface/model/quantities/linearized_resultant.h>
 
 namespace Biface
 {

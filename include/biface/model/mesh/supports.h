@@ -106,9 +106,9 @@ namespace Biface
     std::vector<PointSupport> points;
     /** The supports of the edges of a mesh from a file. */
     std::vector<EdgeSupport> named_edges;
-    /** Of prescribed displacements, by the names of their factors in 'Load
-     * factors' of the stages; their forces are those of the whole structure,
-     * see SupportMotion::multiple. */
+    /** What resists prescribed displacements, by the names of their factors in
+     * 'Load factors' of the stages; their forces are those of the whole
+     * structure, see SupportMotion::multiple. */
     SuspensionParameters suspensions;
 
     void

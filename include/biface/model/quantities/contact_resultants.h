@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include <biface/model/quantities/linearized_resultant.h>
+#include <biface/model/equations/linearized_resultant.h>
 
 namespace Biface
 {

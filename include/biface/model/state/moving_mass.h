@@ -7,12 +7,11 @@ namespace Biface
 {
   struct Loads;
   struct State;
-  struct StepInTime;
 
 
-  /** A rigid body with a mass, or supports that carry one, in a StepInTime: the
-   * load factor of its motion is unknown, and follows from the forces on it. A
-   * motion that only turns has moments, angles and moments of inertia. */
+  /** A rigid body with a mass, or supports that carry one, in a step in time:
+   * the load factor of its motion is unknown, and follows from the forces on
+   * it. A motion that only turns has moments, angles and moments of inertia. */
   struct MovingMass
   {
     /** The position of its load factor in Loads::factors. */
@@ -20,9 +19,13 @@ namespace Biface
     /** The displacement at the factor 1. Unit: length. */
     double amplitude = 1;
     double mass      = 0;
-    /** Of a damper and of a spring without force at the factor 0. Unit:
-     * force*time/length, and force/length. */
+    /** The constants of a damper, and of a spring without force at the factor
+     * 0. Unit: force*time/length, and force/length. */
     double damping = 0, stiffness = 0;
+    /** The duration of the step. Unit: time. */
+    double duration = 0;
+    /** The displacement at the start of the step. Unit: length. */
+    double displacement = 0;
     /** The velocity at the start of the step. Unit: length/time. */
     double velocity = 0;
     /** The mean acceleration in the step before; 0 in the first one of a
@@ -31,15 +34,16 @@ namespace Biface
 
     /** The displacement in the step. */
     double
-    change(const StepInTime &step, const Loads &end) const;
+    change(const Loads &end) const;
 
-    /** The velocity at the end of the step, by the rule of StepInTime. */
+    /** The velocity at the end of the step, by the rule that the mean velocity
+     * is that of both ends. */
     double
-    velocity_at_end(const StepInTime &step, const Loads &end) const;
+    velocity_at_end(const Loads &end) const;
 
     /** The mean acceleration in the step. */
     double
-    acceleration(const StepInTime &step, const Loads &end) const;
+    acceleration(const Loads &end) const;
 
     /** What the mass, the damper and the spring take up of the force, in the
      * mean of the step: its work is the change of both
@@ -54,7 +58,7 @@ namespace Biface
     };
 
     Resistance
-    resistance(const StepInTime &step, const Loads &end) const;
+    resistance(const Loads &end) const;
 
     /** The kinetic energy at a velocity. Unit: force times length. */
     double
@@ -73,7 +77,7 @@ namespace Biface
 
     /** What the damper dissipates in the step. Unit: force times length. */
     double
-    dissipated(const StepInTime &step, const Loads &end) const;
+    dissipated(const Loads &end) const;
 
 
     /** The motion of a factor that a state remembers from step to step: its

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <biface/model/quantities/linearized_resultant.h>
+#include <biface/model/equations/linearized_resultant.h>
 #include <biface/stepping/controls/control.h>
 
 namespace Biface

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef biface_model_quantities_linearized_resultant_h
-#define biface_model_quantities_linearized_resultant_h
+#ifndef biface_model_equations_linearized_resultant_h
+#define biface_model_equations_linearized_resultant_h
 
 #include <vector>
 
