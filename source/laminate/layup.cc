@@ -86,20 +86,23 @@ namespace Biface
                "The direction from which the angles in 'Plies' are counted: "
                "'meridian', from alpha_1 toward alpha_2, or 'circumference', "
                "from alpha_2 toward alpha_1, as usual for tires.");
-    add_parsed(prm,
-               "Tables",
-               "",
-               tables,
-               parse_tables,
-               "Tables for the formulas of 'Plies': a list of 'name: "
-               "file', separated by commas. Each CSV file has rows "
-               "'alpha_1, value' with increasing alpha_1; values are "
-               "interpolated linearly and constant beyond the ends. "
-               "Paths are relative to the parameter file. A name with "
-               "a comma must be put in double quotes, in which %XX "
-               "stands for the byte with this hexadecimal number.",
-               // the contents of the files are compared
-               RestartChange::always);
+    add_parsed(
+      prm,
+      "Tables",
+      "",
+      tables,
+      [](const std::string &entry, const std::string &text) {
+        return parse_tables(entry, text, "alpha_1");
+      },
+      "Tables for the formulas of 'Plies': a list of 'name: "
+      "file', separated by commas. Each CSV file has rows "
+      "'alpha_1, value' with increasing alpha_1; values are "
+      "interpolated linearly and constant beyond the ends. "
+      "Paths are relative to the parameter file. A name with "
+      "a comma must be put in double quotes, in which %XX "
+      "stands for the byte with this hexadecimal number.",
+      // the contents of the files are compared
+      RestartChange::always);
   }
 
 

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
-#include <array>
 
-#include <biface/base/errors.h>
-#include <biface/input/named_files.h>
-#include <biface/input/parameter_tools.h>
 #include <biface/laminate/meridional_tables.h>
 
 namespace Biface
@@ -51,26 +47,6 @@ namespace Biface
   } // namespace
 
 
-  std::vector<TableFile>
-  parse_tables(const std::string &entry, const std::string &text)
-  {
-    std::vector<TableFile> tables;
-    for (const NamedFile &file : parse_named_files(entry, text, {"alpha_1"}))
-      tables.push_back({file.name, {file.file_name, {}}});
-    return tables;
-  }
-
-
-  std::string
-  print_tables(const std::vector<TableFile> &tables)
-  {
-    std::vector<NamedFile> files;
-    for (const TableFile &table : tables)
-      files.push_back({table.name, table.file.name});
-    return print_named_files(files);
-  }
-
-
   Formula
   parse_ply_formula(const std::string &entry, const std::string &text)
   {
@@ -106,30 +82,7 @@ namespace Biface
     , angle_reference(angle_reference)
   {
     for (const TableFile &file : files)
-      {
-        const auto &pairs = file.file.pairs;
-        if (pairs.size() < 2)
-          throw InputError(file.file.name +
-                           ": the table needs at least two rows to "
-                           "interpolate.");
-
-        std::vector<double>      alpha;
-        dealii::Table<1, double> values(pairs.size());
-        for (unsigned int i = 0; i < pairs.size(); ++i)
-          {
-            if (i > 0 && !(pairs[i][0] > alpha.back()))
-              throw InputError(file.file.name +
-                               ": alpha_1 must increase from "
-                               "row to row, but " +
-                               number_to_string(alpha.back()) +
-                               " is followed by " +
-                               number_to_string(pairs[i][0]) + ".");
-            alpha.push_back(pairs[i][0]);
-            values(i) = pairs[i][1];
-          }
-        tables.push_back(std::make_shared<const Table>(
-          std::array<std::vector<double>, 1>{{alpha}}, values));
-      }
+      tables.push_back(interpolate(file.file, "alpha_1"));
   }
 
 

@@ -215,7 +215,7 @@ namespace Biface
           const std::string  section = "Stage " + std::to_string(i + 1);
           if (known.count(name) == 0)
             throw InputError(
-              stages[i].has_history(name)     ? section + "/Load history"
+              stages[i].histories.has(name)   ? section + "/Load history"
               : stages[i].is_excited_by(name) ? section + "/Excitations"
                                               : entry(i),
               name,
@@ -223,7 +223,7 @@ namespace Biface
                 ? "there are no loads, except the pressure, no "
                   "prescribed displacements and no motions of bodies"
                 : std::string("it must be ") +
-                    (stages[i].has_history(name)
+                    (stages[i].histories.has(name)
                        ? "'pressure', 'travel', 'turn', 'load factor' or "
                      : stages[i].is_excited_by(name)
                        ? "a motion such as 'ground z', 'pressure', 'load "

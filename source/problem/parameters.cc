@@ -793,6 +793,10 @@ namespace Biface
         *surface.mesh.mesh, surface.mesh.options.surface != nullptr);
     for (const TableFile &table : laminate.tables)
       pairs["Laminate/Tables, " + table.name] = table.file.pairs;
+    for (unsigned int i = 0; i < stages.size(); ++i)
+      for (const TableFile &table : stages[i].histories.tables)
+        pairs["Stage " + std::to_string(i + 1) + "/History tables, " +
+              table.name] = table.file.pairs;
     for (const MaterialParameters &material : materials)
       if (!material.cord_and_rubber.curve.name.empty())
         pairs["Material " + material.name + "/Cord curve"] =
@@ -823,6 +827,9 @@ namespace Biface
     names.insert(names.end(), plies_files.begin(), plies_files.end());
     for (const TableFile &table : laminate.tables)
       names.push_back(table.file.name);
+    for (const Stage &stage : stages)
+      for (const TableFile &table : stage.histories.tables)
+        names.push_back(table.file.name);
     for (const MaterialParameters &material : materials)
       names.push_back(material.cord_and_rubber.curve.name);
     for (const BodyParameters &body : bodies)

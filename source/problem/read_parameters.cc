@@ -278,6 +278,17 @@ namespace Biface
           prm.set("Tables", print_tables(tables));
           prm.leave_subsection();
         }
+      for (unsigned int i = 0; i < parameters.stages.size(); ++i)
+        if (std::vector<TableFile> of_stage =
+              parameters.stages[i].histories.tables;
+            !of_stage.empty())
+          {
+            for (TableFile &table : of_stage)
+              make_absolute(table.file.name);
+            prm.enter_subsection("Stage " + std::to_string(i + 1));
+            prm.set("History tables", print_tables(of_stage));
+            prm.leave_subsection();
+          }
       for (const MaterialParameters &material : parameters.materials)
         if (std::string file = material.cord_and_rubber.curve.name;
             !file.empty())
@@ -437,9 +448,10 @@ namespace Biface
       parameters.add_tire_test();
       for (unsigned int i = 0; i < parameters.stages.size(); ++i)
         {
-          Stage &stage = parameters.stages[i];
-          stage.StageMotion::complete(
-            "Stage " + std::to_string(i + 1), stage, stage);
+          Stage            &stage   = parameters.stages[i];
+          const std::string section = "Stage " + std::to_string(i + 1);
+          stage.histories.read_tables(section, communicator);
+          stage.StageMotion::complete(section, stage, stage);
           stage.StageResponse::complete(stage);
         }
       parameters.assign_load_factors();

@@ -30,38 +30,7 @@ namespace Biface
                          "y, z, separated by semicolons");
       return components;
     }
-
-
-    std::vector<std::pair<std::string, Formula>>
-    parse_histories(const std::string &entry, const std::string &text)
-    {
-      std::vector<std::pair<std::string, Formula>> histories;
-      for (const std::string &item : split_list(entry, text, ';'))
-        {
-          const auto [name, formula] = split_named(
-            entry, item, "each item must have the form 'name: formula of t'");
-          std::string words;
-          for (const std::string &word : split_words(name))
-            words += (words.empty() ? "" : " ") + word;
-          for (const auto &other : histories)
-            if (other.first == words)
-              throw InputError(entry, words, "it is given twice");
-          histories.emplace_back(
-            words, Formula(entry, formula, std::vector<std::string>{"t"}));
-        }
-      return histories;
-    }
   } // namespace
-
-
-  bool
-  StageMotion::has_history(const std::string &name) const
-  {
-    return std::any_of(
-      histories.begin(), histories.end(), [&](const auto &history) {
-        return history.first == name;
-      });
-  }
 
 
   void
@@ -124,19 +93,7 @@ namespace Biface
       "see 'Initial velocity'.",
       Unit("length/time, for a motion that only turns 1/time in "
            "radians"));
-    add_parsed(
-      prm,
-      "Load history",
-      "",
-      histories,
-      parse_histories,
-      "Loads of a stage with inertia as formulas of the time t since its "
-      "start: a list of 'name: formula', separated by semicolons. A name is "
-      "'pressure', 'travel', 'turn', 'load factor', or one of those of 'Load "
-      "factors' or 'Forces on bodies': 'load factor: sin(200*t)'. They replace "
-      "the values of these names; all other loads change evenly in the stage, "
-      "but for 'Forces on bodies', which are constant.",
-      RestartChange::within_stage);
+    histories.add_parameters(prm);
     prm.add_parameter(
       "Mass damping",
       damping_in_time.of_mass,
@@ -195,9 +152,9 @@ namespace Biface
     constexpr unsigned int n_unknown = 1000;
     if (control.adaptive && !time_step && control.n_steps == 1)
       control.n_steps = n_unknown;
-    for (const auto &[name, formula] : histories)
+    for (const std::string &name : histories.names())
       {
-        const double end = formula({loads.duration});
+        const double end = *histories.value(name, loads.duration);
         const auto   set = [&](std::optional<double> &load,
                              const std::string     &entry) {
           if (load)
@@ -276,9 +233,9 @@ namespace Biface
           !velocities_of_bodies.empty(),
           "Initial velocities of bodies",
           velocities_of_bodies.empty() ? "" : velocities_of_bodies[0].first);
-        refuse_without_inertia(!histories.empty(),
-                               "Load history",
-                               histories.empty() ? "" : histories[0].first);
+        const auto names = histories.names();
+        refuse_without_inertia(
+          !names.empty(), "Load history", names.empty() ? "" : names.front());
         return;
       }
     if (time_step)

@@ -13,6 +13,7 @@
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/moving_mass.h>
 #include <biface/model/state/placed_body.h>
 #include <biface/model/time/inertia.h>
 #include <biface/stepping/controls/make_control.h>

@@ -49,7 +49,8 @@ namespace Fuzz::CsvFiles
       curve.parameter_of(curve.evaluate(middle).position);
     });
     read(input, [&]() {
-      std::vector<TableFile> files = parse_tables("entry", "t: " + file_name);
+      std::vector<TableFile> files =
+        parse_tables("entry", "t: " + file_name, "alpha_1");
       for (TableFile &table : files)
         table.file.read("alpha_1, value", MPI_COMM_SELF);
       const MeridionalTables tables(

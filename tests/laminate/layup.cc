@@ -34,7 +34,8 @@ namespace
     parameters.tables = parse_tables("tables",
                                      "t: " DATA_DIR "/ply_thickness.csv, "
                                      "a: " DATA_DIR "/ply_angle.csv, "
-                                     "beta_c: " DATA_DIR "/ply_angle.csv");
+                                     "beta_c: " DATA_DIR "/ply_angle.csv",
+                                     "alpha_1");
     for (TableFile &table : parameters.tables)
       table.file.read("alpha_1, value", MPI_COMM_SELF);
     return Layup(parameters, cord_ply(), surface);

@@ -3,7 +3,8 @@
 // A mass that the end of a light strip carries, on a spring, vibrates with
 // atan(pi f dt)/(pi dt), f = sqrt((E A/L + k)/m)/(2 pi); a force in resonance
 // with it, and a damper, keep the balance of energy, and the work of the force
-// is its integral over the way.
+// is its integral over the way. A table of the force over the time is the same
+// as its formula.
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
@@ -60,6 +61,19 @@ main(int argc, char *argv[])
     }
   const Row &end = resonant.history.back();
   check_small("work of the force", number(end, "load_work") - work, 1e-8, work);
+  std::vector<std::string> tables = strip, formulas = strip;
+  tables.push_back("Stage 2/Load history=supports: 1e-3*push");
+  tables.emplace_back("Stage 2/History tables=push: " DATA_DIR "/push.csv");
+  formulas.emplace_back(
+    "Stage 2/Load history=supports: 1e-3*(t < 0.02 ? 100*t : t < 0.06 ? 4 - "
+    "100*t : t < 0.08 ? 100*t - 8 : 0)");
+  check_small("table and formula",
+              number(move(tables, "table", MPI_COMM_SELF).history.back(),
+                     "alpha_1_max_displacement") -
+                number(move(formulas, "formula", MPI_COMM_SELF).history.back(),
+                       "alpha_1_max_displacement"),
+              1e-10,
+              start);
   check_small("what is left of it",
               number(end, "load_work") - number(end, "damping_work") -
                 resonant.energy.back(),

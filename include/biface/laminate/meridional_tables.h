@@ -3,36 +3,16 @@
 #ifndef biface_laminate_meridional_tables_h
 #define biface_laminate_meridional_tables_h
 
-#include <deal.II/base/function_lib.h>
-
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include <biface/input/formula.h>
-#include <biface/input/pairs_file.h>
+#include <biface/input/table_file.h>
 #include <biface/laminate/surface_of_plies.h>
 
 namespace Biface
 {
-  /** A table of numbers by @f$\alpha_1@f$, which formulas know by its name. */
-  struct TableFile
-  {
-    std::string name;
-    PairsFile   file;
-  };
-
-  /** Read a list 'name: file', separated by commas; files are not opened.
-   * Throws InputError if the list or a name cannot be used. */
-  std::vector<TableFile>
-  parse_tables(const std::string &entry, const std::string &text);
-
-  /** The text from which parse_tables() reads these tables. */
-  std::string
-  print_tables(const std::vector<TableFile> &tables);
-
-
   /** Read a formula of a ply, whose variables are not known yet: `alpha_1`, on
    * a surface of revolution its `end` and the radius `r`, the `beta_c` of a
    * surface that has a SurfaceOfPlies::crown_cord_angle, tables, and the
@@ -83,12 +63,10 @@ namespace Biface
     function(Formula formula) const;
 
   private:
-    using Table = dealii::Functions::InterpolatedTensorProductGridData<1>;
-
-    std::vector<std::string>                  names;
-    SurfaceOfPlies                            surface;
-    AngleReference                            angle_reference;
-    std::vector<std::shared_ptr<const Table>> tables;
+    std::vector<std::string>       names;
+    SurfaceOfPlies                 surface;
+    AngleReference                 angle_reference;
+    std::vector<InterpolatedTable> tables;
   };
 } // namespace Biface
 

@@ -11,6 +11,7 @@
 #include <biface/input/formula.h>
 #include <biface/input/named_numbers.h>
 #include <biface/model/state/damping_in_time.h>
+#include <biface/stepping/load_histories.h>
 
 namespace Biface
 {
@@ -41,14 +42,8 @@ namespace Biface
      * in 'Forces on bodies'. Unit: length/time, or 1/time in radians. */
     NamedNumbers velocities_of_bodies;
 
-    /** Loads as formulas of the time t since the start of the stage, by name:
-     * 'pressure', 'travel', 'turn', 'load factor', or one of 'Load factors' or
-     * 'Forces on bodies'. */
-    std::vector<std::pair<std::string, Formula>> histories;
-
-    /** Whether the load of a name follows a formula. */
-    bool
-    has_history(const std::string &name) const;
+    /** Loads as functions of the time. */
+    LoadHistories histories;
 
     void
     add_parameters(EntryDeclarations &prm);

@@ -78,10 +78,9 @@ namespace Biface
     std::vector<double> result;
     for (const MotionByForce &motion : stage.motions_by_force)
       {
-        result.push_back(motion.force);
-        for (const auto &[name, formula] : stage.histories)
-          if (name == motion.name())
-            result.back() = formula({at * stage.duration});
+        result.push_back(
+          stage.histories.value(motion.name(), at * stage.duration)
+            .value_or(motion.force));
       }
     return result;
   }
@@ -103,30 +102,23 @@ namespace Biface
   {
     LoadLevel    level = level_at(fraction);
     const double t     = fraction * stage.duration;
-    // of each load the last name that is given counts
-    std::vector<const Formula *> of_factors(level.factors.size(), nullptr);
-    const auto                   find = [&](const std::string &name) {
-      for (const auto &history : stage.histories)
-        if (history.first == name)
-          return &history.second;
-      return static_cast<const Formula *>(nullptr);
+    const auto   value = [&](const std::string &name) {
+      return stage.histories.value(name, t);
     };
-    if (const Formula *common = find("load factor"))
-      std::fill(of_factors.begin(), of_factors.end(), common);
-    for (unsigned int i = 0; i < of_factors.size(); ++i)
-      for (const std::string &name : stage.names_of_factors[i])
-        for (const auto &own : stage.own_factors)
-          if (own.first == name)
-            of_factors[i] = find(name);
-    for (unsigned int i = 0; i < of_factors.size(); ++i)
-      if (of_factors[i])
-        level.factors[i] = (*of_factors[i])({t});
-    if (const Formula *pressure = find("pressure"))
-      level.pressure = (*pressure)({t});
-    if (const Formula *travel = find("travel"))
-      level.travel = (*travel)({t});
-    if (const Formula *turn = find("turn"))
-      level.turn = (*turn)({t});
+    const auto common = value("load factor");
+    for (unsigned int i = 0; i < level.factors.size(); ++i)
+      {
+        // of each load the last name that is given counts
+        std::optional<double> factor = common;
+        for (const std::string &name : stage.names_of_factors[i])
+          for (const auto &own : stage.own_factors)
+            if (own.first == name)
+              factor = value(name);
+        level.factors[i] = factor.value_or(level.factors[i]);
+      }
+    level.pressure = value("pressure").value_or(level.pressure);
+    level.travel   = value("travel").value_or(level.travel);
+    level.turn     = value("turn").value_or(level.turn);
     return level;
   }
 
