@@ -185,14 +185,15 @@ namespace Biface
                         Patterns::Double(0),
                         Unit("force/area"));
 
-    prm.add_parameter("Density",
-                      density,
-                      "Density, of a ply as a whole for 'cord and rubber'. "
-                      "Only 'Modes' of a stage need it.",
-                      Patterns::Double(),
-                      Unit("mass/volume, where a unit of mass is that of "
-                           "force times time^2 per length: "
-                           "for N, mm and s it is the tonne"));
+    prm.add_parameter(
+      "Density",
+      density,
+      "Density, of a ply as a whole for 'cord and rubber'. "
+      "'Modes', 'Inertia' and a 'Frequency response' of a stage need it.",
+      Patterns::Double(),
+      Unit("mass/volume, where a unit of mass is that of "
+           "force times time^2 per length: "
+           "for N, mm and s it is the tonne"));
 
     prm.add_parameter("Loss factor",
                       loss_factor,

@@ -174,6 +174,42 @@ namespace Biface
 
 
   void
+  Parameters::check_suspensions_of_supports() const
+  {
+    const auto includes = [](const std::string &general,
+                             const std::string &name) {
+      return (name + " ").rfind(general + " ", 0) == 0;
+    };
+    for (const auto &[entry, list] :
+         {std::make_pair("Supports/Springs", &supports.suspensions.springs),
+          std::make_pair("Supports/Dampers", &supports.suspensions.dampers),
+          std::make_pair("Supports/Masses", &supports.suspensions.masses)})
+      for (const auto &[name, value] : *list)
+        {
+          if (std::none_of(stages.begin(),
+                           stages.end(),
+                           [&, &wanted = name](const Stage &stage) {
+                             return stage.has_force(wanted);
+                           }))
+            throw InputError(entry,
+                             name,
+                             "it must be a name in 'Forces on bodies' of a "
+                             "stage, which finds the motion");
+          // the same supports under another name would go without it
+          for (unsigned int i = 0; i < stages.size(); ++i)
+            for (const auto &[other, force] : stages[i].forces_on_bodies)
+              if (!stages[i].has_force(name) &&
+                  (includes(name, other) || includes(other, name)))
+                throw InputError("Stage " + std::to_string(i + 1) +
+                                   "/Forces on bodies",
+                                 other,
+                                 "it must have the name in '" +
+                                   std::string(entry) + "', '" + name + "'");
+        }
+  }
+
+
+  void
   Parameters::assign_load_factors()
   {
     const std::vector<Item> items = items_of(loads, supports, bodies);
@@ -232,6 +268,7 @@ namespace Biface
                     "one of " + in_words(items));
           positions[name] = 0;
         }
+    check_suspensions_of_supports();
     for (unsigned int i = 0; i < stages.size(); ++i)
       {
         stages[i].motions_by_force = motions_by_force(i, of_supports);

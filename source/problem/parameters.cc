@@ -582,7 +582,13 @@ namespace Biface
     const auto rests = [this](const unsigned int factor) {
       return std::all_of(
         stages.begin(), stages.end(), [factor](const Stage &stage) {
-          return factor_at(stage.factors, factor).value_or(0) == 0;
+          const auto &found = stage.motions_by_force;
+          return factor_at(stage.factors, factor).value_or(0) == 0 &&
+                 std::none_of(found.begin(),
+                              found.end(),
+                              [factor](const MotionByForce &motion) {
+                                return motion.motion.factor == factor;
+                              });
         });
     };
     const auto of_support_rests =

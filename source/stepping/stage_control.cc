@@ -52,7 +52,7 @@ namespace Biface
       return parse_named_numbers(entry,
                                  text,
                                  "each item must have the form 'body motion: "
-                                 "force'");
+                                 "force' or 'supports NAME: force'");
     }
   } // namespace
 
@@ -123,8 +123,10 @@ namespace Biface
       "supports as in 'Load factors', such as 'supports' or 'supports "
       "alpha_1 min'; 0 for what gives way. A force acts along the "
       "translation; a motion that only turns has a moment about the "
-      "axis. All supports of a name move by the same displacement, and "
-      "their force is that of the whole structure. The body rests on "
+      "axis. All supports of a name move by the same displacement; their "
+      "force is the sum of those in history.csv, with images in planes of "
+      "symmetry at the ends of an edge, but without another edge beyond a "
+      "plane. The body rests on "
       "the shell and on the spring of 'Springs', if it has one. The "
       "force at the start of the stage is what they exert there; it "
       "changes in equal steps. With 'Inertia' it is constant, or "

@@ -73,6 +73,41 @@ main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
+  // what a prestress exerts at supports is a part of their force
+  const Ended stretched = run(with({DATA_DIR "/strip_with_mass.prm"},
+                                   {"Number of stages=2",
+                                    "Supports/Springs=",
+                                    "Stage 1/Forces on bodies=",
+                                    "Stage 1/Load factor=1",
+                                    "Stage 2/Start from prestress=true",
+                                    "Stage 2/Forces on bodies=supports: 20"}),
+                              "prestressed",
+                              MPI_COMM_WORLD);
+  if (is_root())
+    {
+      std::cout << "start from prestress\n" << said(stretched);
+      const Row end = read_csv("prestressed/history.csv").back();
+      check_small(
+        "  force", std::stod(end.at("alpha_1_max_force")) / 20 - 1, 1e-9);
+      check_true("  goes back",
+                 std::stod(end.at("alpha_1_max_displacement")) < 0);
+    }
+  // beads of their own, which nothing holds before the ground touches
+  const Ended apart =
+    run(with(coarse_tire,
+             {"Supports/alpha_1 min=x both = 1; y both; z both",
+              "Supports/alpha_1 max=x both = 1; y both; z both",
+              "Stage 2/Travel=unchanged",
+              "Stage 2/Forces on bodies=supports alpha_1 min: 200, supports "
+              "alpha_1 max: 200",
+              no_vtu}),
+        "apart",
+        MPI_COMM_WORLD);
+  if (is_root())
+    check_true("two beads by two forces are told to be one",
+               apart.code == 2 &&
+                 apart.err.find("that move together") != std::string::npos);
+
   check("frictionless", {});
   check("sealed gas",
         {"Stage 2/Gas=sealed",

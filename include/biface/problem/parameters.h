@@ -143,6 +143,11 @@ namespace Biface
     void
     add_stages(EntryDeclarations &prm, const unsigned int n_stages);
 
+    /** Throws InputError if springs, dampers and masses of supports have other
+     * names than the forces on them. */
+    void
+    check_suspensions_of_supports() const;
+
     /** The 'Forces on bodies' of a stage with their motions. Throws InputError
      * if there is no such motion.
      * @param of_supports the names of all factors of supports. */

@@ -708,13 +708,12 @@ namespace Biface
       dead.compress(VectorOperation::add);
       return -(owned * dead);
     };
-    LA::Vector constant = mesh.owned_vector();
-    internal.add_constant_forces(state, constant);
-    constant.compress(VectorOperation::add);
+    // the constant forces of a prestress at supports are those of the supports,
+    // see forces_on_shell()
     double       square = 0;
     const double others =
       power_of_dead_forces({loads.pressure, loads.factors, 0}) -
-      owned * constant - owned * coupled_forces(state, loads, square);
+      owned * coupled_forces(state, loads, square);
     result.value     = sums[0] + others;
     result.magnitude = sums[1] + std::abs(others);
     for (unsigned int k = 0; k < rates.size(); ++k)

@@ -88,10 +88,12 @@ namespace Biface
                parse_point_supports,
                "Supports of named points: a comma-separated list of 'name: "
                "support', with supports as for edges.");
-    suspensions.add_parameters(prm,
-                               "names as in 'Load factors', such as 'supports' "
-                               "or 'supports alpha_1 min', for the whole "
-                               "structure, as the forces of supports");
+    suspensions.add_parameters(
+      prm,
+      "names in 'Forces on bodies', such as 'supports' "
+      "or 'supports alpha_1 min', for one support with "
+      "its images in planes of symmetry at its ends, "
+      "as its force in history.csv");
   }
 
 

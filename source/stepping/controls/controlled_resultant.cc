@@ -512,17 +512,24 @@ namespace Biface
                  const ShellMesh   &mesh) const override
       {
         if (!common_motion(mesh.supported.motions, factor))
-          throw InputError(section + "/Forces on bodies",
-                           of_stage.name(),
-                           "all supports of this name must move by the same "
-                           "displacement, which must not be zero");
+          throw InputError(
+            section + "/Forces on bodies",
+            of_stage.name(),
+            has_motion(mesh)
+              ? "all supports of this name must move by the same displacement, "
+                "and be the same part of the whole structure"
+              : "a support must have this name: with a displacement that is not "
+                "zero, and without a name of its own in 'Forces on bodies' or "
+                "'Load factors'");
       }
 
       std::string
       remedies() const override
       {
         return "other supports, or bodies, that hold the shell where " +
-               quoted(of_stage.name()) + " gives way, or a spring";
+               quoted(of_stage.name()) +
+               " gives way, one name for all supports that move together, or a "
+               "spring";
       }
 
       bool
@@ -538,9 +545,12 @@ namespace Biface
       {
         const SupportMotion along = motion(iteration.equations.mesh);
         if (iteration.state.step || of_stage.motion.suspension.spring > 0 ||
-            prescribed == 0 || along.kind != SupportMotion::Kind::translation ||
+            along.kind != SupportMotion::Kind::translation ||
             iteration.contact.count_active(iteration.state) > 0)
           return {};
+        // what nothing holds stays where it is
+        if (prescribed == 0)
+          return 0;
         // the shell follows its supports as a rigid body: by a small part of
         // its thickness into what it meets first
         const double sign = std::copysign(1., prescribed);
@@ -580,6 +590,16 @@ namespace Biface
       }
 
     private:
+      bool
+      has_motion(const ShellMesh &mesh) const
+      {
+        const auto &motions = mesh.supported.motions;
+        return std::any_of(
+          motions.begin(), motions.end(), [this](const SupportMotion &item) {
+            return item.factor == factor;
+          });
+      }
+
       SupportMotion
       motion(const ShellMesh &mesh) const
       {

@@ -2,6 +2,7 @@
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/exceptions.h>
+#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 #include <deal.II/lac/vector.h>
 
@@ -44,24 +45,72 @@ namespace Biface
       matrix.solve(rhs);
       return std::vector<double>(rhs.begin(), rhs.end());
     }
-    /** Whether a resultant depends on its load by more than the round-off of
-     * forces that cancel where the shell follows as a rigid body.
-     * @param dV_q the displacements per unit of the load. */
+    /** The part of the sum of absolute values that round-off may leave of
+     * forces that cancel, where the shell follows its supports as a rigid body.
+     */
+    constexpr double roundoff = 1e-11;
+
+
+    /** The round-off in the derivative of a resultant by a load. Must be called
+     * on all ranks.
+     * @param dV_q the displacements per unit of the load.
+     * @param per_load the derivative at fixed displacements. */
+    double
+    noise(const LinearizedResultant &resultant,
+          const LA::Vector          &dV_q,
+          const double               per_load)
+    {
+      double absolute = 0;
+      for (const auto i : dV_q.locally_owned_elements())
+        absolute += std::abs(resultant.gradient(i) * dV_q(i));
+      absolute = Utilities::MPI::sum(absolute, dV_q.get_mpi_communicator());
+      return roundoff * (absolute + std::abs(per_load));
+    }
+
+
+    /** Whether a resultant depends on its load by more than round-off. */
     bool
     depends_on(const ControlledResultant         &resultant,
                const ControlEquations::Iteration &iteration,
                const LA::Vector                  &dV_q)
     {
-      constexpr double roundoff = 1e-11;
-
       const LinearizedResultant now =
         resultant.evaluate(iteration, {resultant.rate()});
-      double absolute = 0;
-      for (const auto i : dV_q.locally_owned_elements())
-        absolute += std::abs(now.gradient(i) * dV_q(i));
-      absolute = Utilities::MPI::sum(absolute, dV_q.get_mpi_communicator());
-      return std::abs(now.gradient * dV_q + now.per_load[0]) >
-             roundoff * (absolute + std::abs(now.per_load[0]));
+      const double per_load = now.per_load[0];
+      return std::abs(now.gradient * dV_q + per_load) >
+             noise(now, dV_q, per_load);
+    }
+
+
+    /** Whether a matrix is singular if its entries have errors up to those
+     * given. */
+    bool
+    is_singular(const FullMatrix<double> &matrix,
+                const FullMatrix<double> &errors)
+    {
+      // rows and columns have units of their own
+      const unsigned int  n = matrix.m();
+      std::vector<double> rows(n), columns(n);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          rows[i] = std::max(rows[i], std::abs(matrix(i, j)));
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          if (rows[i] > 0)
+            columns[j] = std::max(columns[j], std::abs(matrix(i, j)) / rows[i]);
+      LAPACKFullMatrix<double> scaled(n);
+      double                   error = 0;
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          {
+            const double scale = rows[i] * columns[j];
+            if (scale == 0)
+              return true;
+            scaled(i, j) = matrix(i, j) / scale;
+            error        = std::max(error, errors(i, j) / scale);
+          }
+      scaled.compute_svd();
+      return scaled.singular_value(n - 1) <= n * error;
     }
   } // namespace
 
@@ -151,9 +200,15 @@ namespace Biface
   {
     // the system of section 7, with a row for each resultant and a column
     // for each unknown load
-    const unsigned int       n = resultants.size();
-    LAPACKFullMatrix<double> matrix(n);
-    Vector<double>           missing(n);
+    const unsigned int n = resultants.size();
+    FullMatrix<double> matrix(n, n), errors(n, n);
+    Vector<double>     missing(n);
+    // supports that move together, without contact, leave nothing but round-off
+    const bool may_be_singular =
+      n > 1 &&
+      std::any_of(resultants.begin(), resultants.end(), [](const auto &item) {
+        return item->is_held_elsewhere();
+      });
     for (unsigned int i = 0; i < n; ++i)
       {
         const LinearizedResultant linear =
@@ -166,12 +221,20 @@ namespace Biface
              : resultants[i]->evaluate(with_contact(iteration), {}).value);
         missing[i] = values[i] - now - linear.gradient * dV_R;
         for (unsigned int j = 0; j < n; ++j)
-          matrix(i, j) = linear.gradient * dV_q[j] + linear.per_load[j];
+          {
+            matrix(i, j) = linear.gradient * dV_q[j] + linear.per_load[j];
+            if (may_be_singular)
+              errors(i, j) = noise(linear, dV_q[j], linear.per_load[j]);
+          }
         // a body without force that touches nothing stays where it is
         if (values[i] == 0 && linear.magnitude == 0 && matrix(i, i) == 0)
           matrix(i, i) = 1;
       }
-    return solve(matrix, missing);
+    if (may_be_singular && is_singular(matrix, errors))
+      return LoadParameters(n, std::numeric_limits<double>::quiet_NaN());
+    LAPACKFullMatrix<double> factors(n);
+    factors = matrix;
+    return solve(factors, missing);
   }
 
 

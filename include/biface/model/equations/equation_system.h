@@ -155,7 +155,8 @@ namespace Biface
      * The power of the supports, by their forces on the shell, in a motion with
      * the given rates of the loads. The gradient refers to all unknowns, those
      * of the supports included. Over a StepInTime, the forces are the mean
-     * ones.
+     * ones. After a start from prestress, what balances it at supports is a
+     * part of their forces.
      *
      * Must be called on all ranks.
      *
