@@ -682,8 +682,12 @@ namespace Biface
       [&](const Element                   &element,
           const MixedElement::NodalVector &motion_of_element,
           const ForceTerm::CellForces     &forces) {
-        const double power =
-          -(motion_of_element * (forces.force + forces.load));
+        MixedElement::NodalVector on_nodes = forces.force + forces.load;
+        // what balances initial resultants is a part of the forces of the
+        // supports, see forces_on_shell()
+        if (!element.owner && element.cell->is_layer)
+          on_nodes -= internal.initial_forces(state, element.index);
+        const double power = -(motion_of_element * on_nodes);
         sums[0] += power;
         sums[1] += std::abs(power);
         MixedElement::NodalVector gradient;
@@ -708,8 +712,6 @@ namespace Biface
       dead.compress(VectorOperation::add);
       return -(owned * dead);
     };
-    // the constant forces of a prestress at supports are those of the supports,
-    // see forces_on_shell()
     double       square = 0;
     const double others =
       power_of_dead_forces({loads.pressure, loads.factors, 0}) -

@@ -513,19 +513,23 @@ namespace Biface
   InternalForces::forces_of(const std::vector<Modes::Vector> &resultants) const
   {
     LA::Vector forces = mesh.owned_vector();
+    // initial resultants are balanced by constant forces B_0^T H_0 in the
+    // undeformed shape, section 3 of doc/theory.md
     for (const unsigned int c : mesh.layers)
-      {
-        // initial resultants are balanced by constant forces B_0^T H_0 in the
-        // undeformed shape, section 3 of doc/theory.md
-        const MixedElement undeformed(mesh.cells[c].geometry,
-                                      MixedElement::NodalVector());
-        mesh.add_nodal_forces(
-          mesh.cells[c],
-          undeformed.internal_force(resultants[c], Modes::Vector()),
-          forces);
-      }
+      mesh.add_nodal_forces(
+        mesh.cells[c], undeformed_forces(c, resultants[c]), forces);
     forces.compress(VectorOperation::add);
     return forces;
+  }
+
+
+  MixedElement::NodalVector
+  InternalForces::undeformed_forces(const unsigned int   cell,
+                                    const Modes::Vector &resultants) const
+  {
+    const MixedElement undeformed(mesh.cells[cell].geometry,
+                                  MixedElement::NodalVector());
+    return undeformed.internal_force(resultants, Modes::Vector());
   }
 
 

@@ -158,10 +158,9 @@ namespace Biface
      * ones. After a start from prestress, what balances it at supports is a
      * part of their forces.
      *
-     * Must be called on all ranks.
-     *
-     * @param rates of the loads by which the power is differentiated, at given
-     * displacements of the supports.
+     * The last argument has the rates of the loads by which the power is
+     * differentiated, at given displacements of the supports. Must be called on
+     * all ranks.
      */
     virtual LinearizedResultant
     power_of_supports(const State & /*state*/,

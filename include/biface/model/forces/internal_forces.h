@@ -203,6 +203,15 @@ namespace Biface
       return state.resultants[cell] + initial_resultants(state)[cell];
     }
 
+    /** The forces of the initial resultants of a layer on its nodes in the
+     * undeformed shape, which constant forces balance: not among internal
+     * forces. */
+    MixedElement::NodalVector
+    initial_forces(const State &state, const unsigned int cell) const
+    {
+      return undeformed_forces(cell, initial_resultants(state)[cell]);
+    }
+
     /** The fraction of the cords in a cell that are slack, by thickness, at the
      * Gauss point next to each vertex. It refers to cords that can go slack. */
     std::array<double, Modes::n_gauss_points>
@@ -227,6 +236,12 @@ namespace Biface
     /** The initial resultants of the laminate, one for each cell. */
     std::vector<Modes::Vector>
     resultants_of_laminate() const;
+
+    /** The forces of resultants of a layer on its nodes in the undeformed
+     * shape. */
+    MixedElement::NodalVector
+    undeformed_forces(const unsigned int   cell,
+                      const Modes::Vector &resultants) const;
 
     /** The initial resultants by cell: those of the laminate until there is
      * another prestress. */

@@ -32,8 +32,8 @@ namespace Biface
           const Control::KnownStart & /*start*/) const
     {}
 
-    /** Check that it fits the mesh. Throws InputError.
-     * @param section that of the stage. */
+    /** Check that it fits the mesh. Throws InputError with the section of the
+     * stage. */
     virtual void
     check_mesh(const std::string & /*section*/,
                const ShellMesh & /*mesh*/) const
