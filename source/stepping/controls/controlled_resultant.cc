@@ -545,12 +545,9 @@ namespace Biface
       {
         const SupportMotion along = motion(iteration.equations.mesh);
         if (iteration.state.step || of_stage.motion.suspension.spring > 0 ||
-            along.kind != SupportMotion::Kind::translation ||
+            prescribed == 0 || along.kind != SupportMotion::Kind::translation ||
             iteration.contact.count_active(iteration.state) > 0)
           return {};
-        // what nothing holds stays where it is
-        if (prescribed == 0)
-          return 0;
         // the shell follows its supports as a rigid body: by a small part of
         // its thickness into what it meets first
         const double sign = std::copysign(1., prescribed);

@@ -45,6 +45,8 @@ namespace Biface
       matrix.solve(rhs);
       return std::vector<double>(rhs.begin(), rhs.end());
     }
+
+
     /** The part of the sum of absolute values that round-off may leave of
      * forces that cancel, where the shell follows its supports as a rigid body.
      */
@@ -200,7 +202,9 @@ namespace Biface
   {
     // the system of section 7, with a row for each resultant and a column
     // for each unknown load
-    const unsigned int n = resultants.size();
+    // of the forces that cancel in a resultant
+    constexpr double   negligible = 1e-9;
+    const unsigned int n          = resultants.size();
     FullMatrix<double> matrix(n, n), errors(n, n);
     Vector<double>     missing(n);
     // supports that move together, without contact, leave nothing but round-off
@@ -229,6 +233,16 @@ namespace Biface
         // a body without force that touches nothing stays where it is
         if (values[i] == 0 && linear.magnitude == 0 && matrix(i, i) == 0)
           matrix(i, i) = 1;
+        // and so do supports that nothing holds
+        if (values[i] == 0 && resultants[i]->is_held_elsewhere() &&
+            std::abs(missing[i]) <= negligible * linear.magnitude &&
+            std::abs(matrix(i, i)) <=
+              noise(linear, dV_q[i], linear.per_load[i]))
+          {
+            for (unsigned int j = 0; j < n; ++j)
+              matrix(i, j) = errors(i, j) = (i == j ? 1. : 0.);
+            errors(i, i) = missing[i] = 0;
+          }
       }
     if (may_be_singular && is_singular(matrix, errors))
       return LoadParameters(n, std::numeric_limits<double>::quiet_NaN());
