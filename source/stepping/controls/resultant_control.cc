@@ -80,10 +80,7 @@ namespace Biface
     Trial           trial;
     // all other loads follow the fraction of the stage
     trial.level = [this, end](const LoadParameters &mu) {
-      LoadLevel level = end;
-      for (unsigned int i = 0; i < resultants.size(); ++i)
-        resultants[i]->load(level) = mu[i];
-      return level;
+      return with_found_loads(resultants, end, mu);
     };
     trial.mu.clear();
     for (const auto &resultant : resultants)
@@ -129,10 +126,10 @@ namespace Biface
   {
     const std::vector<double> values = values_at(fraction);
     // the unknown loads follow no path
-    LoadLevel from = reached, to = now.end(start);
-    for (const auto &resultant : resultants)
-      resultant->load(from) = resultant->load(to) = resultant->load(start);
-    std::vector<Progression> progressions = progressions_of_loads(from, to);
+    const LoadParameters     at_start     = found_loads(resultants, start);
+    std::vector<Progression> progressions = progressions_of_loads(
+      with_found_loads(resultants, reached, at_start),
+      with_found_loads(resultants, now.end(start), at_start));
     for (unsigned int i = 0; i < resultants.size(); ++i)
       progressions.push_back(
         {start_values[i], values[i], resultants[i]->end(now)});

@@ -127,6 +127,29 @@ namespace Biface
   }
 
 
+  LoadParameters
+  found_loads(const ControlledResultants &resultants, const LoadLevel &level)
+  {
+    LoadLevel      from = level;
+    LoadParameters values;
+    for (const auto &resultant : resultants)
+      values.push_back(resultant->load(from));
+    return values;
+  }
+
+
+  LoadLevel
+  with_found_loads(const ControlledResultants &resultants,
+                   const LoadLevel            &level,
+                   const LoadParameters       &values)
+  {
+    LoadLevel result = level;
+    for (unsigned int i = 0; i < resultants.size(); ++i)
+      resultants[i]->load(result) = values[i];
+    return result;
+  }
+
+
   Control::KnownStart
   without_found_loads(const ControlledResultants &resultants,
                       const Control::KnownStart  &end)

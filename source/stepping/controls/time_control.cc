@@ -33,9 +33,11 @@ namespace Biface
   TimeControl::propose(const Equilibrium &from) const
   {
     const double begin = fraction, end = next();
-    const auto at = [this, begin, end, start = from.level](const double part) {
-      return with_found_loads(level_in_time(begin + part * (end - begin)),
-                              start);
+    // masses start from where they are
+    const LoadParameters here = found_loads(forces, from.level);
+    const auto           at   = [this, begin, end, here](const double part) {
+      return with_found_loads(
+        forces, level_in_time(begin + part * (end - begin)), here);
     };
     Trial trial  = LoadControl::propose(from);
     trial.within = at;
@@ -47,28 +49,12 @@ namespace Biface
         return trial;
       }
     trial.level = [this, at_end = at(1)](const LoadParameters &mu) {
-      LoadLevel level = at_end;
-      for (unsigned int i = 0; i < forces.size(); ++i)
-        forces[i]->load(level) = mu[i];
-      return level;
+      return with_found_loads(forces, at_end, mu);
     };
-    trial.mu.clear();
-    for (const auto &force : forces)
-      trial.mu.push_back(force->guess(from, at(1)));
+    trial.mu        = here;
     trial.equations = std::make_shared<const ResultantEquations>(
       forces, forces_at((begin + end) / 2), &from.contact);
     return trial;
-  }
-
-
-  LoadLevel
-  TimeControl::with_found_loads(const LoadLevel &level,
-                                const LoadLevel &found) const
-  {
-    LoadLevel result = level, from = found;
-    for (const auto &force : forces)
-      force->load(result) = force->load(from);
-    return result;
   }
 
 
@@ -77,11 +63,8 @@ namespace Biface
   {
     std::vector<double> result;
     for (const MotionByForce &motion : stage.motions_by_force)
-      {
-        result.push_back(
-          stage.histories.value(motion.name(), at * stage.duration)
-            .value_or(motion.force));
-      }
+      result.push_back(stage.histories.value(motion.name(), at * stage.duration)
+                         .value_or(motion.force));
     return result;
   }
 
@@ -90,9 +73,10 @@ namespace Biface
   TimeControl::change_path(const Stage &now, const LoadLevel &reached)
   {
     // loads that forces find follow no path
+    const LoadParameters at_start = found_loads(forces, start);
     go_on_from(common_part(progressions_of_loads(
-                 with_found_loads(reached, start),
-                 with_found_loads(now.end(start), start))),
+                 with_found_loads(forces, reached, at_start),
+                 with_found_loads(forces, now.end(start), at_start))),
                reached);
   }
 

@@ -22,6 +22,16 @@ namespace Biface
         const std::string          &section,
         const ShellMesh            &mesh);
 
+  /** The loads that resultants find, of a level. */
+  LoadParameters
+  found_loads(const ControlledResultants &resultants, const LoadLevel &level);
+
+  /** A level with other values of the loads that resultants find. */
+  LoadLevel
+  with_found_loads(const ControlledResultants &resultants,
+                   const LoadLevel            &level,
+                   const LoadParameters       &values);
+
   /** What is known before the run at the end of a stage that finds the loads of
    * given resultants, so that later stages cannot be checked against them. */
   Control::KnownStart

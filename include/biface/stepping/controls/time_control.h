@@ -52,10 +52,6 @@ namespace Biface
     std::vector<double>
     forces_at(const double fraction) const;
 
-    /** The loads that forces find, of another level. */
-    LoadLevel
-    with_found_loads(const LoadLevel &level, const LoadLevel &found) const;
-
     const ControlledResultants forces;
   };
 } // namespace Biface
