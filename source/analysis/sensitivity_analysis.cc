@@ -442,26 +442,18 @@ namespace Biface
                           "the pressure of the gas is not determined"};
       if (step.trial.equations && !failure)
         {
-          std::vector<LA::Vector>                                   directions;
-          std::vector<std::optional<EquationSystem::MovedSupports>> moved;
+          std::vector<EquationSystem::ParameterDirection> directions;
+          std::vector<LA::Vector>                         forces;
           // the load parameters are further unknowns, as in section 7
           for (const LoadRates &rates : step.trial.equations->rates)
             {
               directions.push_back(
-                equations.load_direction(step.state, step.loads, rates));
-              moved.push_back(
-                equations.moved_supports(step.state, step.loads, rates));
-              if (moved.back())
-                directions.back() += moved.back()->forces;
+                equations.parameter_direction(step.state, step.loads, rates));
+              forces.push_back(directions.back().forces);
             }
-          per_parameter = solve_with_matrix(directions);
-          for (unsigned int i = 0; i < moved.size() && !failure; ++i)
-            {
-              low_rank.correct(per_parameter[i],
-                               moved[i] ? &moved[i]->displacement : nullptr);
-              if (moved[i])
-                per_parameter[i] += moved[i]->displacement;
-            }
+          per_parameter = solve_with_matrix(forces);
+          for (unsigned int i = 0; i < directions.size() && !failure; ++i)
+            low_rank.complete(per_parameter[i], directions[i]);
         }
     }
 

@@ -180,32 +180,27 @@ namespace Biface
                              const std::string &name) {
       return (name + " ").rfind(general + " ", 0) == 0;
     };
-    for (const auto &[entry, list] :
-         {std::make_pair("Supports/Springs", &supports.suspensions.springs),
-          std::make_pair("Supports/Dampers", &supports.suspensions.dampers),
-          std::make_pair("Supports/Masses", &supports.suspensions.masses)})
-      for (const auto &[name, value] : *list)
-        {
-          if (std::none_of(stages.begin(),
-                           stages.end(),
-                           [&, &wanted = name](const Stage &stage) {
-                             return stage.has_force(wanted);
-                           }))
-            throw InputError(entry,
-                             name,
-                             "it must be a name in 'Forces on bodies' of a "
-                             "stage, which finds the motion");
-          // the same supports under another name would go without it
-          for (unsigned int i = 0; i < stages.size(); ++i)
-            for (const auto &[other, force] : stages[i].forces_on_bodies)
-              if (!stages[i].has_force(name) &&
-                  (includes(name, other) || includes(other, name)))
-                throw InputError("Stage " + std::to_string(i + 1) +
-                                   "/Forces on bodies",
-                                 other,
-                                 "it must have the name in '" +
-                                   std::string(entry) + "', '" + name + "'");
-        }
+    for (const SuspensionParameters::Item &item : supports.suspensions.items())
+      {
+        const std::string &name  = item.name;
+        const std::string  entry = "Supports/" + item.entry;
+        if (std::none_of(stages.begin(), stages.end(), [&](const Stage &stage) {
+              return stage.has_force(name);
+            }))
+          throw InputError(entry,
+                           name,
+                           "it must be a name in 'Forces on bodies' of a "
+                           "stage, which finds the motion");
+        // the same supports under another name would go without it
+        for (unsigned int i = 0; i < stages.size(); ++i)
+          for (const auto &[other, force] : stages[i].forces_on_bodies)
+            if (!stages[i].has_force(name) &&
+                (includes(name, other) || includes(other, name)))
+              throw InputError(
+                "Stage " + std::to_string(i + 1) + "/Forces on bodies",
+                other,
+                "it must have the name in '" + entry + "', '" + name + "'");
+      }
   }
 
 

@@ -129,6 +129,20 @@ namespace Biface
   }
 
 
+  void
+  LowRankStiffness::complete(
+    LA::Vector &x, const EquationSystem::ParameterDirection &direction) const
+  {
+    if (!direction.supports)
+      {
+        correct(x);
+        return;
+      }
+    correct(x, &*direction.supports);
+    x += *direction.supports;
+  }
+
+
   std::optional<unsigned int>
   LowRankStiffness::n_negative(const unsigned int of_matrix) const
   {

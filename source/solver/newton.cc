@@ -624,19 +624,11 @@ namespace Biface
                                               equations.mesh.owned_vector());
         for (unsigned int i = 0; i < per_parameter.size(); ++i)
           {
-            LA::Vector forces = equations.load_direction(
+            const auto direction = equations.parameter_direction(
               iterate.state, iterate.loads, control->rates[i]);
-            // supports that the parameter moves take the shell along
-            const auto moved = equations.moved_supports(
-              iterate.state, iterate.loads, control->rates[i]);
-            if (moved)
-              forces += moved->forces;
-            if (!solve(per_parameter[i], forces))
+            if (!solve(per_parameter[i], direction.forces))
               return Failure{linear.cause, linear.message};
-            low_rank.correct(per_parameter[i],
-                             moved ? &moved->displacement : nullptr);
-            if (moved)
-              per_parameter[i] += moved->displacement;
+            low_rank.complete(per_parameter[i], direction);
           }
         increment.mu = control->parameter_changes(
           here, increment.displacement, per_parameter);

@@ -17,6 +17,7 @@
 #include <biface/contact/body_motion.h>
 #include <biface/contact/body_section.h>
 #include <biface/contact/friction_coefficient.h>
+#include <biface/contact/suspension_parameters.h>
 
 namespace Biface
 {

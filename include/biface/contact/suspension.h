@@ -3,16 +3,8 @@
 #ifndef biface_contact_suspension_h
 #define biface_contact_suspension_h
 
-#include <functional>
-#include <string>
-
-#include <biface/input/named_numbers.h>
-
 namespace Biface
 {
-  class EntryDeclarations;
-
-
   /** What resists a motion that a force finds, beside the shell; all zero for
    * nothing. Those of a motion that only turns have moments and angles. */
   struct Suspension
@@ -31,27 +23,6 @@ namespace Biface
     {
       archive &spring &damper &mass;
     }
-  };
-
-
-  /** The suspensions of several motions, by their names. */
-  struct SuspensionParameters
-  {
-    NamedNumbers springs, dampers, masses;
-
-    /** @param names what the names in the lists are, for the documentation. */
-    void
-    add_parameters(EntryDeclarations &prm, const std::string &names);
-
-    /** Throws InputError if a value is negative or a name is not known.
-     * @param known what the names must be, as part of a sentence. */
-    void
-    check(const std::string                              &section,
-          const std::function<bool(const std::string &)> &is_known,
-          const std::string                              &known) const;
-
-    Suspension
-    of(const std::string &name) const;
   };
 } // namespace Biface
 

@@ -79,6 +79,12 @@ namespace Biface
     void
     correct(LA::Vector &x, const LA::Vector *supports = nullptr) const;
 
+    /** Turn the solution for the forces of a load parameter into the motion of
+     * all unknowns, those of supports included. */
+    void
+    complete(LA::Vector                               &x,
+             const EquationSystem::ParameterDirection &direction) const;
+
     /** The number of negative eigenvalues of the sum from the number of those
      * of the matrix, which is symmetric; none if the part is not, or is not
      * prepared. */

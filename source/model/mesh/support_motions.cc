@@ -123,7 +123,6 @@ namespace Biface
                   {
                     const Node        &node    = mesh.nodes[n];
                     const unsigned int n_faces = node.n_parts();
-                    Tensor<1, 3>       sum;
                     for (unsigned int face = 0; face < n_faces; ++face)
                       {
                         Tensor<1, 3> along;

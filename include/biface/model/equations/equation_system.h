@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <biface/base/linear_algebra.h>
@@ -149,6 +150,33 @@ namespace Biface
                    const LoadRates & /*rates*/) const
     {
       return {};
+    }
+
+    /** What a load parameter adds to the system of an iteration, per unit of
+     * the parameter. */
+    struct ParameterDirection
+    {
+      /** The forces on the free unknowns. */
+      LA::Vector forces;
+      /** The motion of the supports, which take the shell along; none if they
+       * stay where they are. */
+      std::optional<LA::Vector> supports;
+    };
+
+    /** The direction of a load parameter with the given rates of the loads.
+     * Must be called on all ranks. */
+    ParameterDirection
+    parameter_direction(const State     &state,
+                        const Loads     &loads,
+                        const LoadRates &rates) const
+    {
+      ParameterDirection result{load_direction(state, loads, rates), {}};
+      if (auto moved = moved_supports(state, loads, rates))
+        {
+          result.forces += moved->forces;
+          result.supports = std::move(moved->displacement);
+        }
+      return result;
     }
 
     /**

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <biface/contact/suspension.h>
+#include <biface/contact/suspension_parameters.h>
 #include <biface/input/formula.h>
 #include <biface/model/mesh/component.h>
 

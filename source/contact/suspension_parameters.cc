@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <biface/base/errors.h>
-#include <biface/contact/suspension.h>
+#include <biface/contact/suspension_parameters.h>
 #include <biface/input/entry_declarations.h>
 #include <biface/input/parameter_tools.h>
 
@@ -72,15 +72,13 @@ namespace Biface
     const std::function<bool(const std::string &)> &is_known,
     const std::string                              &known) const
   {
-    for (const auto &[entry, list] : {std::make_pair("/Springs", &springs),
-                                      std::make_pair("/Dampers", &dampers),
-                                      std::make_pair("/Masses", &masses)})
-      for (const auto &[name, value] : *list)
-        {
-          if (!is_known(name))
-            throw InputError(section + entry, name, known);
-          check_not_negative(section + entry, value);
-        }
+    for (const Item &item : items())
+      {
+        const std::string entry = section + "/" + item.entry;
+        if (!is_known(item.name))
+          throw InputError(entry, item.name, known);
+        check_not_negative(entry, item.value);
+      }
   }
 
 
@@ -89,5 +87,21 @@ namespace Biface
   {
     return {
       value_of(springs, name), value_of(dampers, name), value_of(masses, name)};
+  }
+
+
+  std::vector<SuspensionParameters::Item>
+  SuspensionParameters::items() const
+  {
+    std::vector<Item> result;
+    const auto        add = [&result](const std::string  &entry,
+                               const NamedNumbers &numbers) {
+      for (const auto &[name, value] : numbers)
+        result.push_back({entry, name, value});
+    };
+    add("Springs", springs);
+    add("Dampers", dampers);
+    add("Masses", masses);
+    return result;
   }
 } // namespace Biface
