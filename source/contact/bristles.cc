@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include <biface/contact/bristles.h>
 
@@ -11,6 +13,11 @@ namespace Biface
 
   namespace
   {
+    /** In compression over shear, that of rubber, see Tread: on stiffer ground
+     * the edge of the footprint would jump from node to node. */
+    constexpr double stiffest_tread = 4;
+
+
     /** The matrix of the cross product with a vector. */
     Tensor<2, 3>
     cross_product_matrix(const Tensor<1, 3> &w)
@@ -169,10 +176,6 @@ namespace Biface
     // of an equilibrium would be many times too large
     const double exact    = -condition.multiplier(at.at_body.clearance);
     const double pressure = at.pressure.value_or(exact);
-    // in compression over shear, that of rubber, see Tread: on stiffer ground
-    // the edge of the footprint would jump from node to node
-    constexpr double stiffest_tread = 4;
-
     // the trial deflection and its derivatives, times the angular speed
     const TouchingPart theta =
       before.touches
@@ -223,59 +226,242 @@ namespace Biface
     const double sign = rolling.angular_velocity < 0 ? -1 : 1;
     per_speed += speed * sign * bristle_before.per_angular_velocity;
 
+    bristle.per_angular_velocity = sign * per_speed;
+    if (speed == 0 && trial.norm() == 0)
+      {
+        // nothing has moved
+        for (auto &by_station : bristle.per_position)
+          by_station = {};
+        bristle.per_angular_velocity = 0;
+        return;
+      }
+    // the factor speed on both sides
+    limit(bristle,
+          trial,
+          trial_extrapolation,
+          speed,
+          pressure,
+          exact,
+          condition.penalty_stiffness() * n);
+    if (!bristle.is_limited)
+      bristle.per_angular_velocity -= sign / speed * bristle.deflection;
+    else
+      bristle.slip_velocity = (trial - speed * bristle.deflection) / at.angle;
+  }
+
+
+  void
+  BristleLaw::limit(Bristle            &bristle,
+                    const Tensor<1, 2> &trial,
+                    const Tensor<1, 2> &trial_extrapolation,
+                    const double        scale,
+                    const double        pressure,
+                    const double        exact_pressure,
+                    const Tensor<1, 3> &pressure_per_position) const
+  {
     // the projection of section 10 of doc/theory.md: Coulomb's limit as a
-    // length of the deflection, and the factor speed on both sides
+    // length of the deflection
     const FrictionLaw::Limit limit  = law.limit(pressure);
     const double             radius = limit.value / law.tangential_stiffness();
     const double             norm   = trial.norm();
-    if (norm <= speed * radius)
+    if (norm <= scale * radius)
       {
-        if (speed == 0)
-          {
-            // nothing has moved
-            for (auto &by_station : bristle.per_position)
-              by_station = {};
-            return;
-          }
-        bristle.deflection    = trial / speed;
-        bristle.extrapolation = trial_extrapolation / speed;
+        bristle.deflection    = trial / scale;
+        bristle.extrapolation = trial_extrapolation / scale;
         for (auto &by_station : bristle.per_position)
           for (Tensor<1, 3> &component : by_station)
-            component /= speed;
-        per_speed = (per_speed - bristle.deflection) / speed;
+            component /= scale;
+        bristle.per_angular_velocity /= scale;
+        return;
       }
-    else
+    // in slip the length is that of the limit, so that only changes across the
+    // trial deflection turn it; the scale cancels
+    const Tensor<1, 2> direction = trial / norm;
+    const auto         project   = [&](const Tensor<1, 2> &v) {
+      return radius / norm * (v - (direction * v) * direction);
+    };
+    const double per_pressure = limit.per_pressure / law.tangential_stiffness();
+    bristle.is_limited        = true;
+    bristle.deflection        = radius * direction;
+    bristle.extrapolation =
+      project(trial_extrapolation) +
+      (exact_pressure - pressure) * per_pressure * direction;
+    for (auto &by_station : bristle.per_position)
       {
-        // in slip the length is that of the limit, so that only changes across
-        // the trial deflection turn it; its factor speed cancels
-        const Tensor<1, 2> direction = trial / norm;
-        const auto         project   = [&](const Tensor<1, 2> &v) {
-          return radius / norm * (v - (direction * v) * direction);
-        };
-        bristle.deflection    = radius * direction;
-        bristle.extrapolation = project(trial_extrapolation) +
-                                (exact - pressure) * limit.per_pressure /
-                                  law.tangential_stiffness() * direction;
-        bristle.slip_velocity = (trial - speed * bristle.deflection) / at.angle;
-        for (auto &by_station : bristle.per_position)
+        const auto unlimited = by_station;
+        for (unsigned int k = 0; k < 3; ++k)
           {
-            const auto unlimited = by_station;
-            for (unsigned int k = 0; k < 3; ++k)
-              {
-                const Tensor<1, 2> column =
-                  project(Tensor<1, 2>({unlimited[0][k], unlimited[1][k]}));
-                for (unsigned int i = 0; i < 2; ++i)
-                  by_station[i][k] = column[i];
-              }
+            const Tensor<1, 2> column =
+              project(Tensor<1, 2>({unlimited[0][k], unlimited[1][k]}));
+            for (unsigned int i = 0; i < 2; ++i)
+              by_station[i][k] = column[i];
           }
-        // the limit follows the pressure of the clearance at this station
-        const double per_motion = limit.per_pressure /
-                                  law.tangential_stiffness() *
-                                  condition.penalty_stiffness();
-        for (unsigned int i = 0; i < 2; ++i)
-          bristle.per_position.back()[i] += per_motion * direction[i] * n;
-        per_speed = project(per_speed);
       }
-    bristle.per_angular_velocity = sign * per_speed;
+    // the limit follows the pressure of the clearance at this station
+    for (unsigned int i = 0; i < 2; ++i)
+      bristle.per_position.back()[i] +=
+        per_pressure * direction[i] * pressure_per_position;
+    bristle.per_angular_velocity = project(bristle.per_angular_velocity);
+  }
+
+
+  BristleLaw::Bristle
+  BristleLaw::move_in_time(const std::vector<Station> &line,
+                           const std::vector<Past>    &past,
+                           const std::vector<Bristle> &at_start,
+                           const PartOfStep           &part,
+                           const unsigned int          j,
+                           const Rolling              &rolling) const
+  {
+    const auto position = [&](const unsigned int i, const double time) {
+      return past[i].x + time * (line[i].x - past[i].x);
+    };
+    const auto clearance = [&](const unsigned int i, const double time) {
+      return past[i].clearance +
+             time * (line[i].at_body.clearance - past[i].clearance);
+    };
+    const Station &at      = line[j];
+    const bool     is_last = part.to == 1;
+    Bristle        bristle;
+    bristle.per_position.resize(j + 1);
+    if (is_last ? !at.touches : !(clearance(j, part.to) < 0))
+      return bristle;
+
+    const double        speed    = std::abs(rolling.angular_velocity);
+    const Tensor<1, 3> &n        = at.at_body.normal;
+    const double        exact    = -condition.multiplier(clearance(j, part.to));
+    const double        pressure = is_last ? at.pressure.value_or(exact) : exact;
+    const double        stiffness =
+      std::min(condition.penalty_stiffness(),
+               stiffest_tread * law.tangential_stiffness());
+    const Tensor<1, 3> pressure_per_position =
+      condition.penalty_stiffness() * part.to * n;
+
+    // what stays in the segment before the station, and what passes from there
+    const double       per_speed = part.duration / at.angle;
+    const double       passing   = per_speed * speed;
+    const TouchingPart stays =
+      touching_part(clearance(j, part.from), pressure, stiffness);
+    const TouchingPart passes =
+      touching_part(clearance(j - 1, part.from), pressure, stiffness);
+    const Tensor<1, 3> shift = (part.to - part.from) * past[j].shift;
+    const Tensor<1, 3> of_staying =
+      position(j, part.to) - position(j, part.from) - shift;
+    const Tensor<1, 3> of_passing =
+      position(j, part.to) - position(j - 1, part.from) - shift;
+    const GroundStep ground = ground_step(
+      rolling.ground, position(j - 1, part.from), at.angle, speed);
+    // under a locked wheel all stays
+    const bool         flows = speed > 0;
+    const Tensor<1, 3> motion_of_staying =
+      (1 - passing) * of_staying -
+      (flows ? 0. : per_speed) * ground.value;
+    const Tensor<1, 3> motion_of_passing =
+      passing * of_passing - (flows ? per_speed : 0.) * ground.value;
+    const Tensor<1, 3> motion =
+      stays.value * motion_of_staying + passes.value * motion_of_passing;
+    const Tensor<1, 2> staying = along(at.tangents, motion_of_staying);
+    const Tensor<1, 2> coming  = along(at.tangents, motion_of_passing);
+    const Bristle     &own     = at_start[j];
+    const Bristle     &before  = at_start[j - 1];
+
+    const Tensor<1, 2> trial = (1 - passing) * own.deflection +
+                               passing * before.deflection +
+                               along(at.tangents, motion);
+    const Tensor<1, 2> by_pressure =
+      stays.per_pressure * staying + passes.per_pressure * coming;
+    for (unsigned int i = 0; i <= j; ++i)
+      for (unsigned int c = 0; c < 2; ++c)
+        {
+          bristle.per_position[i][c] = (1 - passing) * own.per_position[i][c];
+          if (i < j)
+            bristle.per_position[i][c] += passing * before.per_position[i][c];
+        }
+    const double of_ground =
+      per_speed * (flows ? passes.value : stays.value);
+    for (unsigned int c = 0; c < 2; ++c)
+      {
+        const Tensor<1, 3> &t = at.tangents[c];
+        bristle.per_position[j][c] +=
+          (stays.value * (1 - passing) * (part.to - part.from) +
+           passes.value * passing * part.to) *
+            t +
+          motion * at.tangent_gradients[c] +
+          by_pressure[c] * pressure_per_position -
+          stays.per_clearance * staying[c] * part.from * n;
+        bristle.per_position[j - 1][c] -=
+          part.from *
+          (passes.value * passing * t + of_ground * (t * ground.per_position) +
+           passes.per_clearance * coming[c] * line[j - 1].at_body.normal);
+      }
+    // by the speed
+    const double sign = rolling.angular_velocity < 0 ? -1 : 1;
+    bristle.per_angular_velocity =
+      sign * (per_speed * (before.deflection - own.deflection +
+                           along(at.tangents,
+                                 passes.value * of_passing -
+                                   stays.value * of_staying)) -
+              of_ground * along(at.tangents, ground.per_angular_speed)) +
+      (1 - passing) * own.per_angular_velocity +
+      passing * before.per_angular_velocity;
+    limit(bristle,
+          trial,
+          (exact - pressure) * by_pressure,
+          1,
+          pressure,
+          exact,
+          pressure_per_position);
+    if (bristle.is_limited)
+      bristle.slip_velocity = (trial - bristle.deflection) / part.duration;
+    return bristle;
+  }
+
+
+  std::vector<BristleLaw::Bristle>
+  BristleLaw::deflections_in_time(const std::vector<Station> &line,
+                                  const std::vector<Past>    &past,
+                                  const double                duration,
+                                  const double   angular_velocity_at_start,
+                                  const Rolling &rolling) const
+  {
+    AssertDimension(line.size(), past.size());
+    // particles may pass a little more than a segment: where the wheel should
+    // pass just one, the number of parts must not go to and fro
+    constexpr double more     = 0.01;
+    constexpr double most     = 1e5;
+    double           smallest = std::numeric_limits<double>::max();
+    for (const Station &station : line)
+      smallest = std::min(smallest, station.angle);
+    const double angle = std::max(std::abs(angular_velocity_at_start),
+                                  std::abs(rolling.angular_velocity)) *
+                         duration;
+    const unsigned int n_parts = static_cast<unsigned int>(
+      std::min(most, std::max(1., std::ceil((1 - more) * angle / smallest))));
+
+    std::vector<Bristle> result(line.size());
+    for (unsigned int j = 0; j < line.size(); ++j)
+      {
+        result[j].deflection = past[j].deflection;
+        result[j].per_position.resize(j + 1);
+      }
+    for (unsigned int k = 0; k < n_parts; ++k)
+      {
+        const PartOfStep part{1. * k / n_parts,
+                              k + 1 == n_parts ? 1. : (k + 1.) / n_parts,
+                              duration / n_parts};
+        // a first station never touches
+        std::vector<Bristle> moved(line.size());
+        if (!line.empty())
+          moved[0].per_position.resize(1);
+        for (unsigned int j = 1; j < line.size(); ++j)
+          {
+            moved[j] = move_in_time(line, past, result, part, j, rolling);
+            moved[j].slip_velocity =
+              (moved[j].slip_velocity + k * result[j].slip_velocity) /
+              (k + 1);
+          }
+        result = std::move(moved);
+      }
+    return result;
   }
 } // namespace Biface

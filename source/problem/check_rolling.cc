@@ -119,6 +119,37 @@ namespace Biface
 
 
   void
+  Parameters::check_transient_rolling(const std::string &section,
+                                      const Stage       &stage,
+                                      const bool         rolls) const
+  {
+    const auto need = [&](const bool is_given, const std::string &what) {
+      if (!is_given)
+        throw InputError(section + "/Transient rolling",
+                         "true",
+                         "it must be 'false' " + what);
+    };
+    need(rolls && stage.contact,
+         "unless the wheel rolls, with 'Contact = true'");
+    need(contact.friction.in_rolling == FrictionInRolling::bristles,
+         "without 'Contact/Rolling friction = bristles'");
+    need(!friction_in(stage).is_zero(), "without friction");
+    need(stage.duration > 0, "without a positive 'Duration'");
+    need(!stage.inertia, "with 'Inertia = true'");
+    need(stage.control != ControlKind::displacement &&
+           stage.control != ControlKind::arc_length,
+         "with 'Control = " + stage.control_name() + "'");
+    need(stage.theory == StrainTheory::nonlinear,
+         "with 'Strain theory = linear'");
+    need(stage.n_modes == 0, "with 'Modes'");
+    need(!stage.vibrates(), "with a 'Frequency response'");
+    need(sensitivities.entries.empty(), "with 'Sensitivities'");
+    need(heat.temperatures == RollingHeat::Parameters::Temperatures::given,
+         "without 'Heat/Temperatures = given'");
+  }
+
+
+  void
   Parameters::check_rolling() const
   {
     const std::vector<bool> rolling = rolling_stages();
@@ -143,6 +174,8 @@ namespace Biface
           before && !stage.from_prestress ? inclined[*before] : 0));
         if (inclined.back() != 0)
           check_inclination(section, inclined.back());
+        if (stage.transient_rolling)
+          check_transient_rolling(section, stage, rolling[i]);
         if (!rolling[i])
           continue;
 

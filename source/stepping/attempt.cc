@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <memory>
 #include <string>
 
 #include <biface/contact/rolling.h>
@@ -7,6 +8,7 @@
 #include <biface/model/heat/heat_of_plies.h>
 #include <biface/model/quantities/hysteresis.h>
 #include <biface/model/state/loads.h>
+#include <biface/model/state/rolling_step.h>
 #include <biface/stepping/attempt.h>
 #include <biface/stepping/stage_run.h>
 
@@ -14,6 +16,21 @@ namespace Biface
 {
   namespace
   {
+    /** The step in which the bristles of a wheel move on from the last
+     * equilibrium; null in steady rolling. */
+    std::shared_ptr<const RollingStep>
+    rolling_step(const StageRun &run, const double duration)
+    {
+      if (!run.stage.transient_rolling)
+        return nullptr;
+      return std::make_shared<const RollingStep>(
+        RollingStep{run.state.displacement,
+                    run.state.contacts,
+                    run.loads_at(run.progress.reached),
+                    duration});
+    }
+
+
     /** After rolling with given temperatures, compute these and rolling in
      * turn, until they settle. */
     void
@@ -78,6 +95,8 @@ namespace Biface
     if (!loses_energy)
       attempt.state.terms.erase("heat");
     attempt.state.time_step = run.time_step_to(trial.level(guess.mu));
+    attempt.state.rolling_step =
+      rolling_step(run, attempt.state.time_step.duration);
     const ParametrizedLoads loads{[&](const LoadParameters &mu) {
                                     Loads result =
                                       run.loads_at(trial.level(mu), laws);

@@ -44,6 +44,16 @@ namespace Biface
       "before, and not through equilibria. The shell is at rest at the start if "
       "that stage has no inertia.",
       Patterns::Bool());
+    prm.add_parameter(
+      "Transient rolling",
+      transient_rolling,
+      "Whether a wheel that rolls on bristles goes through the time 'Duration': "
+      "the bristles of its footprint move on in each step from those of the "
+      "step before, while the wheel has no inertia, so that forces follow a "
+      "change of slip over a relaxation length. 'false': rolling is steady. "
+      "Steps in which the wheel turns by a whole number of cells are best. For "
+      "a sudden change, reach the loads in a stage of a very short 'Duration'.",
+      Patterns::Bool());
     add_optional_number(
       prm,
       "Time step",

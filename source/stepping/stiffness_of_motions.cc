@@ -77,6 +77,8 @@ namespace Biface
       const Stage &stage = run.stage;
       if (stage.inertia)
         return "the shell has inertia";
+      if (stage.transient_rolling)
+        return "the wheel rolls on";
       if (stage.damping > 0)
         return "dashpots act";
       if (stage.duration > 0 && run.equations.mesh.get_layup().relaxes())

@@ -91,6 +91,8 @@ namespace Biface
       unsigned int                                     first = 0;
       std::vector<std::array<dealii::Tensor<1, 3>, 2>> per_position;
       dealii::Tensor<1, 2>                             per_angular_velocity;
+      /** Whether the deflection is at the limit of friction. */
+      bool is_limited = false;
 
       /** Whether the tip slips. */
       bool
@@ -108,12 +110,92 @@ namespace Biface
       return law.tangential_stiffness();
     }
 
-    /** The bristles of a line. Their derivatives are those of deflection and
-     * extrapolation together. */
+    /** The bristles of a line in steady rolling. Their derivatives are those of
+     * deflection and extrapolation together. */
     std::vector<Bristle>
     deflections(const std::vector<Station> &line, const Rolling &rolling) const;
 
+    /** A station at the start of a step. */
+    struct Past
+    {
+      dealii::Point<3> x;
+      /** The clearance from the body where it was. Unit: length. */
+      double clearance = 0;
+      /** The deflection along the tangents; zero for a station that did not
+       * touch. Unit: length. */
+      dealii::Tensor<1, 2> deflection;
+      /** How the body there has been moved in the step, beside the motion
+       * under a wheel that Rolling::ground has. Unit: length. */
+      dealii::Tensor<1, 3> shift;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int /*version*/)
+      {
+        archive &x &clearance &deflection &shift;
+      }
+    };
+
+    /**
+     * The bristles of a line at the end of a step in time, see deflections().
+     * With the part
+     * @f$C_j=|\Omega|\,\Delta t/(m\,\Delta\varphi_j)\le 1@f$ of the segment before
+     * a station that particles pass in each of @f$m@f$ equal parts of the step,
+     * @f[
+     *   \mathbf e_j\leftarrow\mathrm{proj}\left(
+     *     (1-C_j)\left(\mathbf e_j+\theta^t_j\,\Delta\mathbf x_j\right)+
+     *     C_j\left(\mathbf e_{j-1}+\theta^\varphi_j\,
+     *       (\mathbf x_j-\mathbf x^-_{j-1}-\mathbf u_j)\right)\right),
+     * @f]
+     * with the positions @f$\mathbf x^-@f$ at the start of the part. Its steady
+     * state is that of deflections().
+     *
+     * @param past the stations at the start of the step.
+     * @param duration of the step. Unit: time.
+     * @param angular_velocity_at_start that of the wheel at the start.
+     */
+    std::vector<Bristle>
+    deflections_in_time(const std::vector<Station> &line,
+                        const std::vector<Past>    &past,
+                        const double                duration,
+                        const double                angular_velocity_at_start,
+                        const Rolling              &rolling) const;
+
   private:
+    /** A part of a step in time, from one fraction of the step to another. */
+    struct PartOfStep
+    {
+      double from, to;
+      /** Unit: time. */
+      double duration;
+    };
+
+    /** The bristle of a station at the end of a part of a step, from those at
+     * its start.
+     * @param j the position of the station in the line; not the first. */
+    Bristle
+    move_in_time(const std::vector<Station> &line,
+                 const std::vector<Past>    &past,
+                 const std::vector<Bristle> &at_start,
+                 const PartOfStep           &part,
+                 const unsigned int          j,
+                 const Rolling              &rolling) const;
+
+    /** Set a bristle, whose derivatives are those of a trial deflection, to
+     * that with the limit of a pressure.
+     * @param trial, trial_extrapolation without limit, times the scale.
+     * @param pressure, exact_pressure in the iteration, and that of the
+     * clearance.
+     * @param pressure_per_position by that of the station. */
+    void
+    limit(Bristle                    &bristle,
+          const dealii::Tensor<1, 2> &trial,
+          const dealii::Tensor<1, 2> &trial_extrapolation,
+          const double                scale,
+          const double                pressure,
+          const double                exact_pressure,
+          const dealii::Tensor<1, 3> &pressure_per_position) const;
+
     /** Set the bristle of a station from the bristle of the one before. */
     void
     move(const Station &before,

@@ -232,6 +232,12 @@ namespace Biface
     void
     check_inclination(const std::string &section, const double angle) const;
 
+    /** Check a stage with 'Transient rolling'. */
+    void
+    check_transient_rolling(const std::string &section,
+                            const Stage       &stage,
+                            const bool         rolls) const;
+
     /** Check the stages in which the shell rolls. */
     void
     check_rolling() const;

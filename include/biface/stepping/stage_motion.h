@@ -26,6 +26,9 @@ namespace Biface
     /** Whether the shell has inertia: the stage goes through time and not
      * through equilibria. */
     bool inertia = false;
+    /** Whether the footprint of a wheel that rolls has a past: bristles move on
+     * from those of the step before, see RollingStep. */
+    bool transient_rolling = false;
     /** The duration of the first step. Unit: time. */
     std::optional<double> time_step;
     /** The error of a step, relative to the largest velocity, above which steps
@@ -65,7 +68,7 @@ namespace Biface
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &inertia &time_error &damping_in_time;
+      archive &inertia &transient_rolling &time_error &damping_in_time;
     }
   };
 } // namespace Biface

@@ -9,6 +9,7 @@
 #include <biface/model/contact/bristle_lines.h>
 #include <biface/model/state/load_rates.h>
 #include <biface/model/state/placed_body.h>
+#include <biface/model/state/rolling_step.h>
 #include <biface/model/state/state.h>
 
 namespace Biface
@@ -18,6 +19,7 @@ namespace Biface
   BristleLines::BristleLines(const ShellMesh       &mesh,
                              const Streamlines     &streamlines,
                              const Resultants::Face face,
+                             const unsigned int     number,
                              const State           &state,
                              const ContactState    &zone,
                              const PlacedBody      *body,
@@ -26,6 +28,8 @@ namespace Biface
     , face(face)
     , body(body)
     , law(body && rolling ? body->laws.bristles() : nullptr)
+    , step(state.rolling_step.get())
+    , number(number)
   {
     if (!exist())
       return;
@@ -84,10 +88,14 @@ namespace Biface
         // on the segment contact begins
         const Node &node    = mesh.nodes[n];
         const auto &stencil = streamlines.at(n);
-        bool        is_near = zone.active[n];
+        const auto  touches = [&](const unsigned int node) {
+          return zone.active[node] ||
+                 (step && step->contacts[number].active[node]);
+        };
+        bool is_near = touches(n);
         if (node.locally_owned && stencil)
           for (const unsigned int neighbor : stencil->neighbors)
-            is_near = is_near || zone.active[neighbor];
+            is_near = is_near || touches(neighbor);
         if (!mesh.grid.closed || !is_near ||
             (!node.locally_owned && areas[n] == 0))
           continue;
@@ -100,6 +108,8 @@ namespace Biface
         at.x        = mesh.deformed_position(state.displacement, node, face);
         at.area     = areas[n];
         at.owned    = node.locally_owned;
+        if (step)
+          at.past = at_start(n);
         if (at.owned)
           for (unsigned int i = 0; i < 3; ++i)
             for (unsigned int part = 0; part < node.n_parts(); ++part)
@@ -126,6 +136,24 @@ namespace Biface
         result.push_back(at);
       }
     return result;
+  }
+
+
+  BristleLaw::Past
+  BristleLines::at_start(const unsigned int n) const
+  {
+    const PlacedBody *before = step->loads.body(number);
+    Assert(before, ExcInternalError());
+    const ContactState &zone = step->contacts[number];
+    BristleLaw::Past    past;
+    past.x = mesh.deformed_position(step->displacement, mesh.nodes[n], face);
+    past.clearance = before->body.evaluate(past.x).clearance;
+    past.shift = body->body.present(before->body.at_rest(past.x)) - past.x;
+    if (zone.active[n])
+      for (unsigned int i = 0; i < 2; ++i)
+        past.deflection[i] =
+          -zone.multipliers[n][1 + i] / law->tangential_stiffness();
+    return past;
   }
 
 
@@ -160,7 +188,21 @@ namespace Biface
           line.stations.back().pressure = found->second.pressure;
           line.nodes.push_back(found->second);
         }
-      line.bristles = law->deflections(line.stations, rolling);
+      if (step)
+        {
+          std::vector<BristleLaw::Past> past;
+          for (const LineNode &node : line.nodes)
+            past.push_back(node.past);
+          const Rolling *before = step->loads.rolling.get();
+          line.bristles         = law->deflections_in_time(
+            line.stations,
+            past,
+            step->duration,
+            before ? before->angular_velocity : 0.,
+            rolling);
+        }
+      else
+        line.bristles = law->deflections(line.stations, rolling);
       lines.push_back(std::move(line));
     };
 

@@ -148,6 +148,7 @@ namespace Biface
     return BristleLines(mesh,
                         streamlines,
                         face,
+                        number,
                         state,
                         state_of(state),
                         body(loads),

@@ -172,6 +172,16 @@ namespace Biface
           (speed > 0 ? result.hysteresis_power / speed
                      : std::numeric_limits<double>::quiet_NaN());
       }
+    // the balance is that of a shape that does not change
+    if (state.rolling_step)
+      for (double *power : {&result.friction_power,
+                            &result.normal_power,
+                            &result.sliding_power,
+                            &result.release_power,
+                            &result.mismatch,
+                            &result.hysteresis_power,
+                            &result.rolling_resistance})
+        *power = std::numeric_limits<double>::quiet_NaN();
     return result;
   }
 } // namespace Biface

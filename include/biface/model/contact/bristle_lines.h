@@ -20,6 +20,7 @@ namespace Biface
 {
   struct ContactState;
   struct PlacedBody;
+  struct RollingStep;
 
 
   /**
@@ -31,14 +32,17 @@ namespace Biface
   class BristleLines
   {
   public:
-    /** Compute the bristles. Must be called on all ranks.
+    /** Compute the bristles, those that have moved on over the step of the
+     * state if it has one, see State::rolling_step. Must be called on all ranks.
      * @param face that touches the body.
+     * @param number that of the pair, see ContactPair::number.
      * @param zone what happens between both.
      * @param body whose laws may have bristles; null if it is not there.
      * @param rolling null if the shell stands. */
     BristleLines(const ShellMesh       &mesh,
                  const Streamlines     &streamlines,
                  const Resultants::Face face,
+                 const unsigned int     number,
                  const State           &state,
                  const ContactState    &zone,
                  const PlacedBody      *body,
@@ -132,13 +136,15 @@ namespace Biface
       /** The derivatives of the position by the free unknowns. */
       std::vector<dealii::types::global_dof_index> dofs;
       std::vector<dealii::Tensor<1, 3>>            per_dof;
+      /** What it was at the start of the step, if there is one. */
+      BristleLaw::Past past;
 
       template <class Archive>
       void
       serialize(Archive &archive, const unsigned int /*version*/)
       {
         archive &number &line &place &touches &x &pressure &area &owned &dofs
-          &per_dof;
+          &per_dof &past;
       }
     };
 
@@ -151,11 +157,16 @@ namespace Biface
       std::vector<BristleLaw::Bristle> bristles;
     };
 
-    /** The nodes of this rank that touch or have a neighbor that does. */
+    /** The nodes of this rank that touch or have a neighbor that does, or have
+     * at the start of the step. */
     std::vector<LineNode>
     own_nodes(const Streamlines  &streamlines,
               const State        &state,
               const ContactState &zone) const;
+
+    /** What a node was at the start of the step. */
+    BristleLaw::Past
+    at_start(const unsigned int node) const;
 
     /** Append the lines of a set of nodes with the same number of the line. */
     void
@@ -196,7 +207,10 @@ namespace Biface
     const PlacedBody      *body;
     /** The law of the bristles; null if there are none. */
     const BristleLaw *law;
-    std::vector<Line> lines;
+    /** The step over which the bristles have moved; null in steady rolling. */
+    const RollingStep *step;
+    const unsigned int number;
+    std::vector<Line>  lines;
     /** The line of each node of this rank and the position in it; not set for
      * nodes without a bristle. Empty if there are none. */
     std::vector<std::optional<std::pair<unsigned int, unsigned int>>> places;

@@ -19,6 +19,7 @@
 namespace Biface
 {
   class ShellMesh;
+  struct RollingStep;
   struct StepInTime;
 
 
@@ -97,6 +98,10 @@ namespace Biface
      * the one behind it; none where the material stays in its cells. Unit:
      * radians/time. */
     std::optional<double> transport_velocity;
+
+    /** The step in which bristles have moved on to this state; null where
+     * rolling is steady. */
+    std::shared_ptr<const RollingStep> rolling_step;
 
     /** What happens between the shell and each body, by ContactPair::number;
      * the first body is the ground. */
