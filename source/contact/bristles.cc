@@ -327,11 +327,11 @@ namespace Biface
     if (is_last ? !at.touches : !(clearance(j, part.to) < 0))
       return bristle;
 
-    const double        speed    = std::abs(rolling.angular_velocity);
-    const Tensor<1, 3> &n        = at.at_body.normal;
-    const double        exact    = -condition.multiplier(clearance(j, part.to));
-    const double        pressure = is_last ? at.pressure.value_or(exact) : exact;
-    const double        stiffness =
+    const double        speed = std::abs(rolling.angular_velocity);
+    const Tensor<1, 3> &n     = at.at_body.normal;
+    const double        exact = -condition.multiplier(clearance(j, part.to));
+    const double pressure     = is_last ? at.pressure.value_or(exact) : exact;
+    const double stiffness =
       std::min(condition.penalty_stiffness(),
                stiffest_tread * law.tangential_stiffness());
     const Tensor<1, 3> pressure_per_position =
@@ -349,13 +349,12 @@ namespace Biface
       position(j, part.to) - position(j, part.from) - shift;
     const Tensor<1, 3> of_passing =
       position(j, part.to) - position(j - 1, part.from) - shift;
-    const GroundStep ground = ground_step(
-      rolling.ground, position(j - 1, part.from), at.angle, speed);
+    const GroundStep ground =
+      ground_step(rolling.ground, position(j - 1, part.from), at.angle, speed);
     // under a locked wheel all stays
     const bool         flows = speed > 0;
     const Tensor<1, 3> motion_of_staying =
-      (1 - passing) * of_staying -
-      (flows ? 0. : per_speed) * ground.value;
+      (1 - passing) * of_staying - (flows ? 0. : per_speed) * ground.value;
     const Tensor<1, 3> motion_of_passing =
       passing * of_passing - (flows ? per_speed : 0.) * ground.value;
     const Tensor<1, 3> motion =
@@ -377,8 +376,7 @@ namespace Biface
           if (i < j)
             bristle.per_position[i][c] += passing * before.per_position[i][c];
         }
-    const double of_ground =
-      per_speed * (flows ? passes.value : stays.value);
+    const double of_ground = per_speed * (flows ? passes.value : stays.value);
     for (unsigned int c = 0; c < 2; ++c)
       {
         const Tensor<1, 3> &t = at.tangents[c];
@@ -397,10 +395,10 @@ namespace Biface
     // by the speed
     const double sign = rolling.angular_velocity < 0 ? -1 : 1;
     bristle.per_angular_velocity =
-      sign * (per_speed * (before.deflection - own.deflection +
-                           along(at.tangents,
-                                 passes.value * of_passing -
-                                   stays.value * of_staying)) -
+      sign * (per_speed *
+                (before.deflection - own.deflection +
+                 along(at.tangents,
+                       passes.value * of_passing - stays.value * of_staying)) -
               of_ground * along(at.tangents, ground.per_angular_speed)) +
       (1 - passing) * own.per_angular_velocity +
       passing * before.per_angular_velocity;
@@ -457,8 +455,7 @@ namespace Biface
           {
             moved[j] = move_in_time(line, past, result, part, j, rolling);
             moved[j].slip_velocity =
-              (moved[j].slip_velocity + k * result[j].slip_velocity) /
-              (k + 1);
+              (moved[j].slip_velocity + k * result[j].slip_velocity) / (k + 1);
           }
         result = std::move(moved);
       }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <algorithm>
 #include <limits>
 #include <string>
 
@@ -7,12 +8,25 @@
 #include <biface/model/equations/shell_equations.h>
 #include <biface/output/csv.h>
 #include <biface/output/rolling_file.h>
+#include <biface/stepping/stage.h>
 #include <biface/stepping/stage_sequence.h>
 #include <biface/stepping/step_report.h>
 
 namespace Biface
 {
   using namespace dealii;
+
+  namespace
+  {
+    bool
+    any_transient_rolling(const std::vector<Stage> &stages)
+    {
+      return std::any_of(stages.begin(), stages.end(), [](const Stage &stage) {
+        return stage.transient_rolling;
+      });
+    }
+  } // namespace
+
 
   RollingFile::RollingFile(const std::vector<Stage> &stages,
                            ResultsDirectory         &directory,
@@ -24,11 +38,13 @@ namespace Biface
         "ground_power,friction_power,normal_power,mismatch,sliding_power,release_power" +
           std::string(equations.mesh.get_layup().has_loss()
                         ? ",hysteresis_power,rolling_resistance"
-                        : ""),
+                        : "") +
+          (any_transient_rolling(stages) ? ",time" : ""),
         1,
         directory,
         equations,
         any_rolling(stages))
+    , has_time(any_transient_rolling(stages))
   {}
 
 
@@ -60,6 +76,8 @@ namespace Biface
         values.push_back(rolling.hysteresis_power);
         values.push_back(rolling.rolling_resistance);
       }
+    if (has_time)
+      values.push_back(report.level.time);
     std::string line = std::to_string(report.step) + ',' + report.stage;
     for (const double value : values)
       line += ',' + csv_number(value);

@@ -125,9 +125,8 @@ namespace Biface
   {
     const auto need = [&](const bool is_given, const std::string &what) {
       if (!is_given)
-        throw InputError(section + "/Transient rolling",
-                         "true",
-                         "it must be 'false' " + what);
+        throw InputError(
+          section + "/Transient rolling", "true", "it must be 'false' " + what);
     };
     need(rolls && stage.contact,
          "unless the wheel rolls, with 'Contact = true'");
@@ -135,14 +134,11 @@ namespace Biface
          "without 'Contact/Rolling friction = bristles'");
     need(!friction_in(stage).is_zero(), "without friction");
     need(stage.duration > 0, "without a positive 'Duration'");
-    need(!stage.inertia, "with 'Inertia = true'");
     need(stage.control != ControlKind::displacement &&
            stage.control != ControlKind::arc_length,
          "with 'Control = " + stage.control_name() + "'");
     need(stage.theory == StrainTheory::nonlinear,
          "with 'Strain theory = linear'");
-    need(stage.n_modes == 0, "with 'Modes'");
-    need(!stage.vibrates(), "with a 'Frequency response'");
     need(sensitivities.entries.empty(), "with 'Sensitivities'");
     need(heat.temperatures == RollingHeat::Parameters::Temperatures::given,
          "without 'Heat/Temperatures = given'");

@@ -75,8 +75,9 @@ namespace Biface
       return failed;
     // another branch may be found, so that halving comes first; the problem of
     // a standing wheel on bristles is the same at any speed
-    const bool halving_helps =
-      !run.laws.bristles() || run.progress.reached.rolls();
+    const bool halving_helps = !run.laws.bristles() ||
+                               run.progress.reached.rolls() ||
+                               run.stage.transient_rolling;
     if (halving_helps && run.control->can_cut())
       return failed;
     out << "  not converged: " << failed.result.failure.message

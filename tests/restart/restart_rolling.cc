@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // A run that is stopped while force and axle moment of a rolling wheel are both
-// prescribed, or later its slip ratio, and continued on another number of
-// ranks, has the history of an uninterrupted run.
+// prescribed, or later its slip ratio, or while its bristles move on in time,
+// and continued on another number of ranks, has the history of an uninterrupted
+// run.
 
 #include "../restart.h"
 
@@ -35,4 +36,13 @@ main(int argc, char *argv[])
           no_vtu});
   check_restart("force and moment of the axle", rolling, 4);
   check_restart("slip ratio", rolling, 6);
+  check_restart("transient",
+                with(rolling,
+                     {"Contact/Rolling friction=bristles",
+                      "Contact/Regularization=0.3",
+                      "Contact/Tangential regularization=0.075",
+                      "Stage 4/Transient rolling=true",
+                      "Stage 4/Steps=4",
+                      "Stage 4/Duration=200"}),
+                6);
 }

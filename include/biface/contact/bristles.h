@@ -139,8 +139,9 @@ namespace Biface
     /**
      * The bristles of a line at the end of a step in time, see deflections().
      * With the part
-     * @f$C_j=|\Omega|\,\Delta t/(m\,\Delta\varphi_j)\le 1@f$ of the segment before
-     * a station that particles pass in each of @f$m@f$ equal parts of the step,
+     * @f$C_j=|\Omega|\,\Delta t/(m\,\Delta\varphi_j)\le 1@f$ of the segment
+     * before a station that particles pass in each of @f$m@f$ equal parts of
+     * the step,
      * @f[
      *   \mathbf e_j\leftarrow\mathrm{proj}\left(
      *     (1-C_j)\left(\mathbf e_j+\theta^t_j\,\Delta\mathbf x_j\right)+

@@ -33,6 +33,9 @@ namespace Biface
 
     void
     write(const StepReport &report, const State &state) override;
+
+    /** Whether a stage has 'Transient rolling'. */
+    const bool has_time;
   };
 } // namespace Biface
 

@@ -148,7 +148,7 @@ namespace Biface
     BristleLaw::Past    past;
     past.x = mesh.deformed_position(step->displacement, mesh.nodes[n], face);
     past.clearance = before->body.evaluate(past.x).clearance;
-    past.shift = body->body.present(before->body.at_rest(past.x)) - past.x;
+    past.shift     = body->body.present(before->body.at_rest(past.x)) - past.x;
     if (zone.active[n])
       for (unsigned int i = 0; i < 2; ++i)
         past.deflection[i] =
@@ -194,12 +194,12 @@ namespace Biface
           for (const LineNode &node : line.nodes)
             past.push_back(node.past);
           const Rolling *before = step->loads.rolling.get();
-          line.bristles         = law->deflections_in_time(
-            line.stations,
-            past,
-            step->duration,
-            before ? before->angular_velocity : 0.,
-            rolling);
+          line.bristles =
+            law->deflections_in_time(line.stations,
+                                     past,
+                                     step->duration,
+                                     before ? before->angular_velocity : 0.,
+                                     rolling);
         }
       else
         line.bristles = law->deflections(line.stations, rolling);

@@ -33,7 +33,8 @@ namespace Biface
   {
   public:
     /** Compute the bristles, those that have moved on over the step of the
-     * state if it has one, see State::rolling_step. Must be called on all ranks.
+     * state if it has one, see State::rolling_step. Must be called on all
+     * ranks.
      * @param face that touches the body.
      * @param number that of the pair, see ContactPair::number.
      * @param zone what happens between both.
