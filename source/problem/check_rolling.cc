@@ -176,15 +176,25 @@ namespace Biface
           continue;
 
         for (const BodyParameters &body : bodies)
-          if (std::count(stage.bodies.begin(), stage.bodies.end(), body.name) >
-                0 &&
-              !body.is_about_y_axis())
-            throw InputError(
-              section + "/Bodies",
-              body.name,
-              "with steady rolling it must be a body of revolution about the y "
-              "axis, the axle, that moves along it or turns about it only, "
-              "with 'Friction = 0'");
+          {
+            const bool is_there =
+              std::count(stage.bodies.begin(), stage.bodies.end(), body.name) >
+              0;
+            if (!is_there || body.is_about_y_axis())
+              continue;
+            if (!stage.transient_rolling)
+              throw InputError(
+                section + "/Bodies",
+                body.name,
+                "with steady rolling it must be a body of revolution about "
+                "the y axis, the axle, that moves along it or turns about it "
+                "only, with 'Friction = 0'");
+            if (!body.friction.is_zero())
+              throw InputError(section + "/Bodies",
+                               body.name,
+                               "where the wheel rolls it must have 'Friction = "
+                               "0'");
+          }
         if (contact.condition.points_per_side > 0 && stage.contact)
           throw InputError("Contact/Points in cells",
                            std::to_string(contact.condition.points_per_side),

@@ -2,7 +2,8 @@
 
 // A tire that starts to roll at a slip angle, or braked, has at each way the
 // forces of one that is turned over the ground, whose mesh turns with it and
-// whose friction has the history of standing tires.
+// whose friction has the history of standing tires. A cleat that comes with
+// slippery ground has the forces of one that moves under a standing tire.
 
 #include <deal.II/base/numbers.h>
 
@@ -91,6 +92,46 @@ namespace
       }
     check_small(name, error, 0.03, scale);
   }
+
+
+  std::vector<dealii::Tensor<1, 3>>
+  forces_of_cleat(const std::vector<Override> &more)
+  {
+    std::vector<Override> all{
+      "Mesh/Intervals alpha_1=-120:-45:3, -45:45:6, 45:120:3",
+      "Mesh/Intervals alpha_2=-180:-28:5:smooth, -28:28:14, 28:180:5:smooth",
+      "Stage 2/Steps=2",
+      "Body cleat/Motions=pass: 0 0 -130",
+      "Stage 3/Steps=6"};
+    all.insert(all.end(), more.begin(), more.end());
+    std::vector<dealii::Tensor<1, 3>> result;
+    for (const StepReport &report : run_analysis(PRM_DIR "/cleat.prm", all))
+      for (const auto &item : report.forces_of_bodies)
+        if (item.body == "cleat")
+          result.push_back(item.force);
+    return result;
+  }
+
+
+  void
+  compare_cleats()
+  {
+    const auto standing = forces_of_cleat({});
+    const auto rolling  = forces_of_cleat({"Contact/Friction=1e-10",
+                                           "Contact/Rolling friction=bristles",
+                                           "Stage 3/Transient rolling=true",
+                                           "Stage 3/Angular velocity=4.1",
+                                           "Stage 3/Ground velocity=1000",
+                                           "Stage 3/Duration=0.13"});
+    double     error = 0, scale = 0;
+    check_true("as many steps", standing.size() == rolling.size());
+    for (unsigned int i = 0; i < std::min(standing.size(), rolling.size()); ++i)
+      {
+        error = std::max(error, (rolling[i] - standing[i]).norm());
+        scale = std::max(scale, standing[i].norm());
+      }
+    check_small("cleat", error, 1e-6, scale);
+  }
 } // namespace
 
 
@@ -101,4 +142,5 @@ main(int argc, char *argv[])
 
   compare("at a slip angle", 239.8, 2 * PI / 180);
   compare("braked", 239.8 * 1.02, 0);
+  compare_cleats();
 }
