@@ -337,38 +337,63 @@ namespace Biface
     const Tensor<1, 3> pressure_per_position =
       condition.penalty_stiffness() * part.to * n;
 
-    // what stays in the segment before the station, and what passes from there
-    const double       per_speed = part.duration / at.angle;
-    const double       passing   = per_speed * speed;
+    // at the first station that touches, particles pass only the part of the
+    // segment that does, and all of them have entered if this is short
     const TouchingPart stays =
       touching_part(clearance(j, part.from), pressure, stiffness);
     const TouchingPart passes =
       touching_part(clearance(j - 1, part.from), pressure, stiffness);
-    const Tensor<1, 3> shift = (part.to - part.from) * past[j].shift;
-    const Tensor<1, 3> of_staying =
-      position(j, part.to) - position(j, part.from) - shift;
-    const Tensor<1, 3> of_passing =
-      position(j, part.to) - position(j - 1, part.from) - shift;
+    const double per_speed = part.duration / at.angle;
+    const double way       = per_speed * speed;
+    const bool   enters    = passes.value < 1 && way > 0;
+    const bool   all_enter = enters && way >= passes.value;
+    // the part that passes, and the part of its motion that the ground has
+    double passing = way, per_way = 1, per_part = 0;
+    if (all_enter)
+      {
+        passing = 1;
+        per_way = 0;
+      }
+    else if (enters)
+      {
+        passing  = way / passes.value;
+        per_way  = 1 / passes.value;
+        per_part = -passing / passes.value;
+      }
+    const double of_ground =
+      (1 - passing) * stays.value + (all_enter ? passes.value / way : passing);
+    const double of_ground_per_way =
+      (all_enter ? -passes.value / (way * way) : per_way * (1 - stays.value));
+    const double of_ground_per_part =
+      (all_enter ? 1 / way : per_part * (1 - stays.value));
+
     const GroundStep ground =
       ground_step(rolling.ground, position(j - 1, part.from), at.angle, speed);
-    // under a locked wheel all stays
-    const bool         flows = speed > 0;
-    const Tensor<1, 3> motion_of_staying =
-      (1 - passing) * of_staying - (flows ? 0. : per_speed) * ground.value;
-    const Tensor<1, 3> motion_of_passing =
-      passing * of_passing - (flows ? per_speed : 0.) * ground.value;
-    const Tensor<1, 3> motion =
-      stays.value * motion_of_staying + passes.value * motion_of_passing;
-    const Tensor<1, 2> staying = along(at.tangents, motion_of_staying);
-    const Tensor<1, 2> coming  = along(at.tangents, motion_of_passing);
-    const Bristle     &own     = at_start[j];
-    const Bristle     &before  = at_start[j - 1];
-
-    const Tensor<1, 2> trial = (1 - passing) * own.deflection +
+    const Tensor<1, 3> of_body =
+      per_speed * ground.value + (part.to - part.from) * past[j].shift;
+    const Tensor<1, 3> of_staying =
+      position(j, part.to) - position(j, part.from);
+    const Tensor<1, 3> of_passing =
+      position(j, part.to) - position(j - 1, part.from);
+    const Tensor<1, 3> motion = (1 - passing) * stays.value * of_staying +
+                                passing * passes.value * of_passing -
+                                of_ground * of_body;
+    const Bristle     &own    = at_start[j];
+    const Bristle     &before = at_start[j - 1];
+    const Tensor<1, 2> trial  = (1 - passing) * own.deflection +
                                passing * before.deflection +
                                along(at.tangents, motion);
+    const Tensor<1, 2> by_passing =
+      before.deflection - own.deflection +
+      along(at.tangents, passes.value * of_passing - stays.value * of_staying);
+    // by both parts that touch
+    const Tensor<1, 2> by_stays =
+      (1 - passing) * along(at.tangents, of_staying - of_body);
+    const Tensor<1, 2> by_passes =
+      per_part * by_passing +
+      along(at.tangents, passing * of_passing - of_ground_per_part * of_body);
     const Tensor<1, 2> by_pressure =
-      stays.per_pressure * staying + passes.per_pressure * coming;
+      stays.per_pressure * by_stays + passes.per_pressure * by_passes;
     for (unsigned int i = 0; i <= j; ++i)
       for (unsigned int c = 0; c < 2; ++c)
         {
@@ -376,30 +401,29 @@ namespace Biface
           if (i < j)
             bristle.per_position[i][c] += passing * before.per_position[i][c];
         }
-    const double of_ground = per_speed * (flows ? passes.value : stays.value);
     for (unsigned int c = 0; c < 2; ++c)
       {
         const Tensor<1, 3> &t = at.tangents[c];
         bristle.per_position[j][c] +=
-          (stays.value * (1 - passing) * (part.to - part.from) +
-           passes.value * passing * part.to) *
+          ((1 - passing) * stays.value * (part.to - part.from) +
+           passing * passes.value * part.to) *
             t +
           motion * at.tangent_gradients[c] +
           by_pressure[c] * pressure_per_position -
-          stays.per_clearance * staying[c] * part.from * n;
+          stays.per_clearance * by_stays[c] * part.from * n;
         bristle.per_position[j - 1][c] -=
           part.from *
-          (passes.value * passing * t + of_ground * (t * ground.per_position) +
-           passes.per_clearance * coming[c] * line[j - 1].at_body.normal);
+          (passing * passes.value * t +
+           of_ground * per_speed * (t * ground.per_position) +
+           passes.per_clearance * by_passes[c] * line[j - 1].at_body.normal);
       }
     // by the speed
     const double sign = rolling.angular_velocity < 0 ? -1 : 1;
     bristle.per_angular_velocity =
-      sign * (per_speed *
-                (before.deflection - own.deflection +
-                 along(at.tangents,
-                       passes.value * of_passing - stays.value * of_staying)) -
-              of_ground * along(at.tangents, ground.per_angular_speed)) +
+      sign * per_speed *
+        (per_way * by_passing - along(at.tangents,
+                                      of_ground_per_way * of_body +
+                                        of_ground * ground.per_angular_speed)) +
       (1 - passing) * own.per_angular_velocity +
       passing * before.per_angular_velocity;
     limit(bristle,
@@ -426,15 +450,21 @@ namespace Biface
     // particles may pass a little more than a segment: where the wheel should
     // pass just one, the number of parts must not go to and fro
     constexpr double more     = 0.01;
-    constexpr double most     = 1e5;
-    double           smallest = std::numeric_limits<double>::max();
+    double           smallest = std::numeric_limits<double>::max(), largest = 0;
     for (const Station &station : line)
-      smallest = std::min(smallest, station.angle);
+      {
+        smallest = std::min(smallest, station.angle);
+        largest  = std::max(largest, station.angle);
+      }
     const double angle = std::max(std::abs(angular_velocity_at_start),
                                   std::abs(rolling.angular_velocity)) *
                          duration;
-    const unsigned int n_parts = static_cast<unsigned int>(
-      std::min(most, std::max(1., std::ceil((1 - more) * angle / smallest))));
+    const double n_parts =
+      std::max(1., std::ceil((1 - more) * angle / smallest));
+    // what has left the line long ago need not be followed
+    const double       memory = 20 * line.size() * largest / smallest;
+    const unsigned int n_last =
+      static_cast<unsigned int>(std::min(n_parts, std::ceil(memory)));
 
     std::vector<Bristle> result(line.size());
     for (unsigned int j = 0; j < line.size(); ++j)
@@ -442,10 +472,10 @@ namespace Biface
         result[j].deflection = past[j].deflection;
         result[j].per_position.resize(j + 1);
       }
-    for (unsigned int k = 0; k < n_parts; ++k)
+    for (unsigned int k = 0; k < n_last; ++k)
       {
-        const PartOfStep part{1. * k / n_parts,
-                              k + 1 == n_parts ? 1. : (k + 1.) / n_parts,
+        const PartOfStep part{1 - (n_last - k) / n_parts,
+                              1 - (n_last - k - 1) / n_parts,
                               duration / n_parts};
         // a first station never touches
         std::vector<Bristle> moved(line.size());

@@ -52,7 +52,8 @@ namespace Biface
       "step before, while the wheel has no inertia, so that forces follow a "
       "change of slip over a relaxation length. 'false': rolling is steady. "
       "Steps in which the wheel turns by a whole number of cells are best. For "
-      "a sudden change, reach the loads in a stage of a very short 'Duration'.",
+      "a sudden change of slip, reach it in a stage of a very short 'Duration'; "
+      "an 'Axle moment' needs time, in which the wheel turns.",
       Patterns::Bool());
     add_optional_number(
       prm,

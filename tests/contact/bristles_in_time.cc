@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Bristles on a rigid belt follow a step of the slip over the way through the
-// footprint, and end as in steady rolling, whatever part of a cell particles
-// pass in a step. Under a locked wheel they follow the ground. Their
-// derivatives are those of differences, on a plane and on a drum.
+// footprint, and end as in steady rolling, whatever part of a cell or how many
+// turns particles pass in a step. A ground that shifts takes them along as one
+// with a velocity. Under a wheel that is locked, or nearly so, they follow the
+// ground. Their derivatives are those of differences, on a plane and on a drum.
 
 #include <cmath>
 #include <functional>
@@ -250,16 +251,44 @@ main()
                   scale);
     }
 
-  // a locked wheel on a ground that moves by 1 mm
-  Belt locked(40, 0);
-  locked.rolling.angular_velocity = 0;
-  locked.rolling.ground.velocity  = Tensor<1, 3>({0, -30, -40});
-  locked.bristles =
-    BristleLaw(locked.law, locked.contact)
-      .deflections_in_time(locked.line, locked.past, 0.02, 0, locked.rolling);
-  const Tensor<1, 2> middle =
-    locked.bristles[locked.line.size() / 2].deflection;
-  check_small("locked", (middle - Tensor<1, 2>({0.8, 0.6})).norm(), 1e-12);
+  Belt turns(40, 0.04);
+  turns.advance(1e12);
+  check_small("end of a step of many turns",
+              turns.error_of_end().first,
+              1e-11,
+              turns.error_of_end().second);
+  for (const double cells : {0.37, 1., 2.4})
+    {
+      Belt moving(40, 0.02), shifted(40, 0);
+      for (BristleLaw::Past &station : shifted.past)
+        station.shift = Tensor<1, 3>({0, -0.02 * cells * shifted.h, 0});
+      for (unsigned int i = 0; i < 20; ++i)
+        {
+          moving.advance(cells);
+          shifted.advance(cells);
+        }
+      check_small("shift in steps of " + std::to_string(cells) + " cells",
+                  moving.force() - shifted.force(),
+                  1e-12,
+                  moving.force());
+    }
+
+  // on a ground that moves by 0.1 mm
+  for (const double speed : {0., 1e-10})
+    {
+      Belt locked(40, 0);
+      locked.rolling.angular_velocity = speed;
+      locked.rolling.ground.velocity  = Tensor<1, 3>({0, -3, -4});
+      locked.bristles =
+        BristleLaw(locked.law, locked.contact)
+          .deflections_in_time(
+            locked.line, locked.past, 0.02, speed, locked.rolling);
+      for (const unsigned int j : {2u, 20u})
+        check_small(
+          "locked",
+          (locked.bristles[j].deflection - Tensor<1, 2>({0.08, 0.06})).norm(),
+          1e-8);
+    }
 
   const BodyShape::TravelLine line;
   const RigidBody             plane(std::make_shared<const RigidPlane>(line));

@@ -138,18 +138,21 @@ namespace Biface
 
     /**
      * The bristles of a line at the end of a step in time, see deflections().
-     * With the part
-     * @f$C_j=|\Omega|\,\Delta t/(m\,\Delta\varphi_j)\le 1@f$ of the segment
-     * before a station that particles pass in each of @f$m@f$ equal parts of
-     * the step,
+     * Of the segment before a station, particles pass the part
+     * @f$C_j=|\Omega|\,\Delta t/(m\,\Delta\varphi_j)\le 1@f$ in each of
+     * @f$m@f$ equal parts of the step, and
      * @f[
      *   \mathbf e_j\leftarrow\mathrm{proj}\left(
-     *     (1-C_j)\left(\mathbf e_j+\theta^t_j\,\Delta\mathbf x_j\right)+
-     *     C_j\left(\mathbf e_{j-1}+\theta^\varphi_j\,
-     *       (\mathbf x_j-\mathbf x^-_{j-1}-\mathbf u_j)\right)\right),
+     *     (1-P_j)\left(\mathbf e_j+\theta^t_j\,
+     *       (\mathbf x_j-\mathbf x^-_j)\right)+
+     *     P_j\left(\mathbf e_{j-1}+\theta^\varphi_j\,
+     *       (\mathbf x_j-\mathbf x^-_{j-1})\right)-
+     *     \gamma_j\,\Delta\mathbf g_j\right)
      * @f]
-     * with the positions @f$\mathbf x^-@f$ at the start of the part. Its steady
-     * state is that of deflections().
+     * with the positions @f$\mathbf x^-@f$ at the start of the part, the motion
+     * @f$\Delta\mathbf g@f$ of the body, and @f$P=C@f$, @f$\gamma=1@f$ but at
+     * the first station that touches, see section 10 of doc/theory.md. The
+     * steady state is that of deflections().
      *
      * @param past the stations at the start of the step.
      * @param duration of the step. Unit: time.
