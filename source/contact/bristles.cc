@@ -443,8 +443,7 @@ namespace Biface
   BristleLaw::deflections_in_time(const std::vector<Station> &line,
                                   const std::vector<Past>    &past,
                                   const double                duration,
-                                  const double   angular_velocity_at_start,
-                                  const Rolling &rolling) const
+                                  const Rolling              &rolling) const
   {
     AssertDimension(line.size(), past.size());
     // particles may pass a little more than a segment: where the wheel should
@@ -456,13 +455,11 @@ namespace Biface
         smallest = std::min(smallest, station.angle);
         largest  = std::max(largest, station.angle);
       }
-    const double angle = std::max(std::abs(angular_velocity_at_start),
-                                  std::abs(rolling.angular_velocity)) *
-                         duration;
+    const double angle = std::abs(rolling.angular_velocity) * duration;
     const double n_parts =
       std::max(1., std::ceil((1 - more) * angle / smallest));
-    // what has left the line long ago need not be followed
-    const double       memory = 20 * line.size() * largest / smallest;
+    // what has left the line need not be followed
+    const double       memory = (4 * line.size() + 20) * largest / smallest;
     const unsigned int n_last =
       static_cast<unsigned int>(std::min(n_parts, std::ceil(memory)));
 

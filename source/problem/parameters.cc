@@ -464,6 +464,9 @@ namespace Biface
     const std::string why =
       "where the wheel rolls or spins with the material '" + material.name +
       "', whose stresses relax";
+    if (stage.transient_rolling)
+      throw InputError(
+        section + "/Transient rolling", "true", "it must be 'false' " + why);
     if (stage.duration > 0)
       throw InputError(section + "/Duration",
                        number_to_string(stage.duration),

@@ -27,7 +27,8 @@ namespace Biface
         RollingStep{run.state.displacement,
                     run.state.contacts,
                     run.loads_at(run.progress.reached),
-                    duration});
+                    duration,
+                    !run.stage.prescribes_axle_moment()});
     }
 
 

@@ -51,8 +51,7 @@ namespace Biface
       "the bristles of its footprint move on in each step from those of the "
       "step before, while the wheel has no inertia, so that forces follow a "
       "change of slip over a relaxation length. 'false': rolling is steady. "
-      "Steps in which the wheel turns by a whole number of cells are best. For "
-      "a sudden change of slip, reach it in a stage of a very short 'Duration'; "
+      "For a sudden change of slip, reach it in a stage of a very short 'Duration'; "
       "an 'Axle moment' needs time, in which the wheel turns.",
       Patterns::Bool());
     add_optional_number(

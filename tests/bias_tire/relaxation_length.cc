@@ -4,7 +4,8 @@
 // grows over the way that an independent program needs, and ends as in steady
 // rolling. It hardly depends on the part of a cell that particles pass in a
 // step (there it does, by the first node that touches). A wheel whose axle has
-// no moment, and a load that is given, change little.
+// no moment, and a load that is given, change little. A moment that comes in no
+// time ends as in steady rolling, too.
 
 #include <cmath>
 
@@ -103,4 +104,18 @@ main(int argc, char *argv[])
               relaxation_length(free, free.back()) - 185,
               0.05,
               185);
+  // which turns the wheel at thousands of radians per second in no time
+  const std::vector<Override> braked{"Stage 4/Slip angle=1",
+                                     "Stage 4/Control=axle moment",
+                                     "Stage 4/Axle moment=-20000",
+                                     "Stage 5/Control=axle moment",
+                                     "Stage 5/Axle moment=-20000",
+                                     "Stage 5/Steps=24"};
+  std::vector<Override>       at_once = braked;
+  at_once.insert(at_once.end(),
+                 {"Number of stages=4", "Stage 4/Transient rolling=false"});
+  at_once.erase(at_once.begin() + 3, at_once.begin() + 6);
+  const double end = side_forces(at_once).back();
+  check_small(
+    "a moment in no time", side_forces(braked).back() - end, 1e-3, end);
 }

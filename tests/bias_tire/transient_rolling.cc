@@ -2,8 +2,9 @@
 
 // A tire that starts to roll at a slip angle, or braked, has at each way the
 // forces of one that is turned over the ground, whose mesh turns with it and
-// whose friction has the history of standing tires. A cleat that comes with
-// slippery ground has the forces of one that moves under a standing tire.
+// whose friction has the history of standing tires. So has a locked wheel whose
+// ground begins to move, in one step. A cleat that comes with slippery ground
+// has the forces of one that moves under a standing tire.
 
 #include <deal.II/base/numbers.h>
 
@@ -94,6 +95,22 @@ namespace
   }
 
 
+  void
+  compare_locked()
+  {
+    const double slid = force_of_ground(
+      run_bias_tire(with({"Number of stages=3", "Stage 3/Slide=0, 0, -2"}))
+        .back())[2];
+    const double moved = run_bias_tire(with({"Number of stages=3",
+                                             "Stage 3/Transient rolling=true",
+                                             "Stage 3/Duration=0.004",
+                                             "Stage 3/Ground velocity=1000"}))
+                           .back()
+                           .rolling->force[0];
+    check_small("locked", moved - slid, 1e-4, slid);
+  }
+
+
   std::vector<dealii::Tensor<1, 3>>
   forces_of_cleat(const std::vector<Override> &more)
   {
@@ -142,5 +159,6 @@ main(int argc, char *argv[])
 
   compare("at a slip angle", 239.8, 2 * PI / 180);
   compare("braked", 239.8 * 1.02, 0);
+  compare_locked();
   compare_cleats();
 }

@@ -68,7 +68,7 @@ namespace
     {
       bristles = BristleLaw(law, contact)
                    .deflections_in_time(
-                     line, past, cells * h / (radius * omega), omega, rolling);
+                     line, past, cells * h / (radius * omega), rolling);
       for (unsigned int j = 0; j < line.size(); ++j)
         past[j].deflection = bristles[j].deflection;
     }
@@ -170,8 +170,7 @@ namespace
       Rolling rolling;
       rolling.angular_velocity = omega;
       rolling.ground           = ground;
-      return bristle_law.deflections_in_time(
-        line, past, duration, angular_velocity, rolling);
+      return bristle_law.deflections_in_time(line, past, duration, rolling);
     };
 
     const auto   given = bristles(x, angular_velocity);
@@ -281,8 +280,7 @@ main()
       locked.rolling.ground.velocity  = Tensor<1, 3>({0, -3, -4});
       locked.bristles =
         BristleLaw(locked.law, locked.contact)
-          .deflections_in_time(
-            locked.line, locked.past, 0.02, speed, locked.rolling);
+          .deflections_in_time(locked.line, locked.past, 0.02, locked.rolling);
       for (const unsigned int j : {2u, 20u})
         check_small(
           "locked",

@@ -156,13 +156,12 @@ namespace Biface
      *
      * @param past the stations at the start of the step.
      * @param duration of the step. Unit: time.
-     * @param angular_velocity_at_start that of the wheel at the start.
+     * @param rolling the mean motion in the step.
      */
     std::vector<Bristle>
     deflections_in_time(const std::vector<Station> &line,
                         const std::vector<Past>    &past,
                         const double                duration,
-                        const double                angular_velocity_at_start,
                         const Rolling              &rolling) const;
 
   private:

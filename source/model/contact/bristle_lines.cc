@@ -16,6 +16,29 @@ namespace Biface
 {
   using namespace dealii;
 
+  namespace
+  {
+    /** The mean motion between two.
+     * @param start null if nothing moves.
+     * @param angular_velocity_is_given otherwise it is that at the end. */
+    Rolling
+    mean_motion(const Rolling *start,
+                const Rolling &end,
+                const bool     angular_velocity_is_given)
+    {
+      Rolling            mean   = end;
+      const GroundMotion before = (start ? start->ground : GroundMotion());
+      mean.ground.velocity =
+        (before.at(end.ground.point) + end.ground.velocity) / 2;
+      mean.ground.spin = (before.spin + end.ground.spin) / 2;
+      if (angular_velocity_is_given)
+        mean.angular_velocity =
+          ((start ? start->angular_velocity : 0.) + end.angular_velocity) / 2;
+      return mean;
+    }
+  } // namespace
+
+
   BristleLines::BristleLines(const ShellMesh       &mesh,
                              const Streamlines     &streamlines,
                              const Resultants::Face face,
@@ -53,8 +76,13 @@ namespace Biface
             known = node;
           known.area = area;
         }
+    const Rolling over_step =
+      (step ? mean_motion(step->loads.rolling.get(),
+                          *rolling,
+                          step->angular_velocity_is_given)
+            : *rolling);
     for (const auto &line : by_line)
-      append_lines(line.second, *rolling);
+      append_lines(line.second, over_step);
 
     std::map<types::global_cell_index, unsigned int> own;
     for (unsigned int n = 0; n < mesh.nodes.size(); ++n)
@@ -193,13 +221,8 @@ namespace Biface
           std::vector<BristleLaw::Past> past;
           for (const LineNode &node : line.nodes)
             past.push_back(node.past);
-          const Rolling *before = step->loads.rolling.get();
-          line.bristles =
-            law->deflections_in_time(line.stations,
-                                     past,
-                                     step->duration,
-                                     before ? before->angular_velocity : 0.,
-                                     rolling);
+          line.bristles = law->deflections_in_time(
+            line.stations, past, step->duration, rolling);
         }
       else
         line.bristles = law->deflections(line.stations, rolling);

@@ -275,17 +275,23 @@ namespace Biface
       guess(const Control::Equilibrium &from,
             const LoadLevel            &next) const override
       {
-        // at the same slip, or without any
-        if (from.level.ground_velocity != 0)
-          return from.level.angular_velocity * next.ground_velocity /
-                 from.level.ground_velocity;
         // bristles that slide all the way would not tell how to go on
-        const ContactPair &ground = from.contact.ground();
-        const Loads        loads  = from.loads(next);
+        const ContactPair    &ground = from.contact.ground();
+        const Loads           loads  = from.loads(next);
+        std::optional<double> without_slip;
         if (ground.body(loads)->laws.bristles())
-          if (const auto velocity =
-                angular_velocity_without_slip(ground, from.state, loads))
-            return *velocity;
+          without_slip =
+            angular_velocity_without_slip(ground, from.state, loads);
+        // at the same slip, or without any: a moment that came in no time has
+        // turned the wheel at any speed
+        const double scaled = from.level.angular_velocity *
+                              next.ground_velocity / from.level.ground_velocity;
+        if (from.level.ground_velocity != 0 &&
+            (!without_slip ||
+             std::abs(scaled - *without_slip) <= 2 * std::abs(*without_slip)))
+          return scaled;
+        if (without_slip)
+          return *without_slip;
         // as a rigid wheel of the same height
         return next.ground_velocity /
                std::abs(loads.ground()->clearance(Point<3>()));

@@ -23,6 +23,10 @@ namespace Biface
     Loads loads;
     /** Unit: time. */
     double duration = 0;
+    /** Whether the angular velocity is given, and not found by a moment: it
+     * then changes evenly in the step; otherwise it is the same in all of it.
+     */
+    bool angular_velocity_is_given = true;
   };
 } // namespace Biface
 
