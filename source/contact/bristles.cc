@@ -125,6 +125,48 @@ namespace Biface
   } // namespace
 
 
+  namespace
+  {
+    /** The particles that come to a station in a part of a step from the
+     * segment before it: P and gamma of section 10 of doc/theory.md. */
+    struct Passing
+    {
+      /** P, with its derivatives by C and by the part of the segment that
+       * touches. */
+      double part, per_way = 1, per_touching = 0;
+      /** gamma, the part of its motion that the ground has, likewise. */
+      double of_ground, of_ground_per_way, of_ground_per_touching;
+
+      /** @param way C: that of the particles, over the segment.
+       * @param stays, touching the parts that touch of the motion at the
+       * station, and of the segment. */
+      Passing(const double way, const double stays, const double touching)
+        : part(way)
+      {
+        if (touching < 1 && way > 0 && way >= touching)
+          {
+            // all particles at the station have entered in this time
+            part                   = 1;
+            per_way                = 0;
+            of_ground              = touching / way;
+            of_ground_per_way      = -touching / (way * way);
+            of_ground_per_touching = 1 / way;
+            return;
+          }
+        if (touching < 1 && touching > 0)
+          {
+            part         = way / touching;
+            per_way      = 1 / touching;
+            per_touching = -part / touching;
+          }
+        of_ground              = (1 - part) * stays + part;
+        of_ground_per_way      = per_way * (1 - stays);
+        of_ground_per_touching = per_touching * (1 - stays);
+      }
+    };
+  } // namespace
+
+
   BristleLaw::Station
   BristleLaw::station(const RigidBody &body,
                       const Point<3>  &x,
@@ -337,35 +379,12 @@ namespace Biface
     const Tensor<1, 3> pressure_per_position =
       condition.penalty_stiffness() * part.to * n;
 
-    // at the first station that touches, particles pass only the part of the
-    // segment that does, and all of them have entered if this is short
     const TouchingPart stays =
       touching_part(clearance(j, part.from), pressure, stiffness);
     const TouchingPart passes =
       touching_part(clearance(j - 1, part.from), pressure, stiffness);
-    const double per_speed = part.duration / at.angle;
-    const double way       = per_speed * speed;
-    const bool   enters    = passes.value < 1 && way > 0;
-    const bool   all_enter = enters && way >= passes.value;
-    // the part that passes, and the part of its motion that the ground has
-    double passing = way, per_way = 1, per_part = 0;
-    if (all_enter)
-      {
-        passing = 1;
-        per_way = 0;
-      }
-    else if (enters)
-      {
-        passing  = way / passes.value;
-        per_way  = 1 / passes.value;
-        per_part = -passing / passes.value;
-      }
-    const double of_ground =
-      (1 - passing) * stays.value + (all_enter ? passes.value / way : passing);
-    const double of_ground_per_way =
-      (all_enter ? -passes.value / (way * way) : per_way * (1 - stays.value));
-    const double of_ground_per_part =
-      (all_enter ? 1 / way : per_part * (1 - stays.value));
+    const double  per_speed = part.duration / at.angle;
+    const Passing flow(per_speed * speed, stays.value, passes.value);
 
     const GroundStep ground =
       ground_step(rolling.ground, position(j - 1, part.from), at.angle, speed);
@@ -375,57 +394,59 @@ namespace Biface
       position(j, part.to) - position(j, part.from);
     const Tensor<1, 3> of_passing =
       position(j, part.to) - position(j - 1, part.from);
-    const Tensor<1, 3> motion = (1 - passing) * stays.value * of_staying +
-                                passing * passes.value * of_passing -
-                                of_ground * of_body;
+    const Tensor<1, 3> motion = (1 - flow.part) * stays.value * of_staying +
+                                flow.part * passes.value * of_passing -
+                                flow.of_ground * of_body;
     const Bristle     &own    = at_start[j];
     const Bristle     &before = at_start[j - 1];
-    const Tensor<1, 2> trial  = (1 - passing) * own.deflection +
-                               passing * before.deflection +
+    const Tensor<1, 2> trial  = (1 - flow.part) * own.deflection +
+                               flow.part * before.deflection +
                                along(at.tangents, motion);
     const Tensor<1, 2> by_passing =
       before.deflection - own.deflection +
       along(at.tangents, passes.value * of_passing - stays.value * of_staying);
     // by both parts that touch
     const Tensor<1, 2> by_stays =
-      (1 - passing) * along(at.tangents, of_staying - of_body);
+      (1 - flow.part) * along(at.tangents, of_staying - of_body);
     const Tensor<1, 2> by_passes =
-      per_part * by_passing +
-      along(at.tangents, passing * of_passing - of_ground_per_part * of_body);
+      flow.per_touching * by_passing +
+      along(at.tangents,
+            flow.part * of_passing - flow.of_ground_per_touching * of_body);
     const Tensor<1, 2> by_pressure =
       stays.per_pressure * by_stays + passes.per_pressure * by_passes;
     for (unsigned int i = 0; i <= j; ++i)
       for (unsigned int c = 0; c < 2; ++c)
         {
-          bristle.per_position[i][c] = (1 - passing) * own.per_position[i][c];
+          bristle.per_position[i][c] = (1 - flow.part) * own.per_position[i][c];
           if (i < j)
-            bristle.per_position[i][c] += passing * before.per_position[i][c];
+            bristle.per_position[i][c] += flow.part * before.per_position[i][c];
         }
     for (unsigned int c = 0; c < 2; ++c)
       {
         const Tensor<1, 3> &t = at.tangents[c];
         bristle.per_position[j][c] +=
-          ((1 - passing) * stays.value * (part.to - part.from) +
-           passing * passes.value * part.to) *
+          ((1 - flow.part) * stays.value * (part.to - part.from) +
+           flow.part * passes.value * part.to) *
             t +
           motion * at.tangent_gradients[c] +
           by_pressure[c] * pressure_per_position -
           stays.per_clearance * by_stays[c] * part.from * n;
         bristle.per_position[j - 1][c] -=
           part.from *
-          (passing * passes.value * t +
-           of_ground * per_speed * (t * ground.per_position) +
+          (flow.part * passes.value * t +
+           flow.of_ground * per_speed * (t * ground.per_position) +
            passes.per_clearance * by_passes[c] * line[j - 1].at_body.normal);
       }
     // by the speed
     const double sign = rolling.angular_velocity < 0 ? -1 : 1;
     bristle.per_angular_velocity =
       sign * per_speed *
-        (per_way * by_passing - along(at.tangents,
-                                      of_ground_per_way * of_body +
-                                        of_ground * ground.per_angular_speed)) +
-      (1 - passing) * own.per_angular_velocity +
-      passing * before.per_angular_velocity;
+        (flow.per_way * by_passing -
+         along(at.tangents,
+               flow.of_ground_per_way * of_body +
+                 flow.of_ground * ground.per_angular_speed)) +
+      (1 - flow.part) * own.per_angular_velocity +
+      flow.part * before.per_angular_velocity;
     limit(bristle,
           trial,
           (exact - pressure) * by_pressure,
@@ -433,7 +454,7 @@ namespace Biface
           pressure,
           exact,
           pressure_per_position);
-    if (bristle.is_limited)
+    if (bristle.is_limited && part.duration > 0)
       bristle.slip_velocity = (trial - bristle.deflection) / part.duration;
     return bristle;
   }
@@ -446,8 +467,8 @@ namespace Biface
                                   const Rolling              &rolling) const
   {
     AssertDimension(line.size(), past.size());
-    // particles may pass a little more than a segment: where the wheel should
-    // pass just one, the number of parts must not go to and fro
+    // particles may pass a little more than a segment: where they should pass
+    // whole ones, the number of parts must not change in the iteration
     constexpr double more     = 0.01;
     double           smallest = std::numeric_limits<double>::max(), largest = 0;
     for (const Station &station : line)
@@ -474,7 +495,8 @@ namespace Biface
         const PartOfStep part{1 - (n_last - k) / n_parts,
                               1 - (n_last - k - 1) / n_parts,
                               duration / n_parts};
-        // a first station never touches
+        // a first station does not touch, or follows no other on a line that
+        // touches all around
         std::vector<Bristle> moved(line.size());
         if (!line.empty())
           moved[0].per_position.resize(1);

@@ -71,7 +71,7 @@ namespace Biface
                                rolling.sliding_power,
                                rolling.release_power})
       values.push_back(value);
-    if (rolling.hysteresis)
+    if (equations.mesh.get_layup().has_loss())
       {
         values.push_back(rolling.hysteresis_power);
         values.push_back(rolling.rolling_resistance);

@@ -74,7 +74,8 @@ namespace Biface
     if (!run.stage.contact || !laws)
       return failed;
     // another branch may be found, so that halving comes first; the problem of
-    // a standing wheel on bristles is the same at any speed
+    // a standing wheel on bristles is the same at any speed, unless it rolls a
+    // shorter way in a shorter step
     const bool halving_helps = !run.laws.bristles() ||
                                run.progress.reached.rolls() ||
                                run.stage.transient_rolling;

@@ -34,7 +34,7 @@ namespace Biface
                         run.state,
                         *report.loads,
                         force_of_ground(report.forces_of_bodies));
-    if (run.heat)
+    if (run.heat && report.rolling->hysteresis)
       add_heat(run, report);
     report.slip_velocities =
       slip_velocities(run.contact.ground(), run.state, *report.loads);

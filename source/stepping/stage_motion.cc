@@ -52,7 +52,8 @@ namespace Biface
       "step before, while the wheel has no inertia, so that forces follow a "
       "change of slip over a relaxation length. 'false': rolling is steady. "
       "For a sudden change of slip, reach it in a stage of a very short 'Duration'; "
-      "an 'Axle moment' needs time, in which the wheel turns.",
+      "let a moment of the axle change over a cell at least, since it turns the "
+      "wheel.",
       Patterns::Bool());
     add_optional_number(
       prm,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <string>
 
 #include <biface/base/errors.h>
@@ -15,6 +16,7 @@
 #include <biface/model/state/loads.h>
 #include <biface/model/state/moving_mass.h>
 #include <biface/model/state/placed_body.h>
+#include <biface/model/state/rolling_step.h>
 #include <biface/model/time/inertia.h>
 #include <biface/stepping/controls/make_control.h>
 #include <biface/stepping/stage_run.h>
@@ -112,6 +114,16 @@ namespace Biface
   {
     if (progress.stage_begun)
       control->restore(progress.control);
+
+    // the bristles that the state has, whether it was just computed or read
+    // from a checkpoint: those of a step in which nothing moves
+    const bool has_past = progress.stage_begun
+                            ? stage.transient_rolling
+                            : before && before->transient_rolling;
+    state.rolling_step.reset();
+    if (has_past && rolls && stage.contact)
+      state.rolling_step = std::make_shared<const RollingStep>(RollingStep{
+        state.displacement, state.contacts, loads_at(progress.reached)});
   }
 
 

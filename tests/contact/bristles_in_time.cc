@@ -283,7 +283,8 @@ main()
           .deflections_in_time(locked.line, locked.past, 0.02, locked.rolling);
       for (const unsigned int j : {2u, 20u})
         check_small(
-          "locked",
+          (speed == 0 ? "locked, station " : "nearly locked, station ") +
+            std::to_string(j),
           (locked.bristles[j].deflection - Tensor<1, 2>({0.08, 0.06})).norm(),
           1e-8);
     }

@@ -36,13 +36,27 @@ main(int argc, char *argv[])
           no_vtu});
   check_restart("force and moment of the axle", rolling, 4);
   check_restart("slip ratio", rolling, 6);
-  check_restart("transient",
-                with(rolling,
-                     {"Contact/Rolling friction=bristles",
-                      "Contact/Regularization=0.3",
-                      "Contact/Tangential regularization=0.075",
-                      "Stage 4/Transient rolling=true",
-                      "Stage 4/Steps=4",
-                      "Stage 4/Duration=200"}),
-                6);
+  const std::vector<std::string> transient =
+    with(rolling,
+         {"Contact/Rolling friction=bristles",
+          "Contact/Regularization=0.3",
+          "Contact/Tangential regularization=0.075",
+          "Stage 4/Transient rolling=true",
+          "Stage 4/Steps=4",
+          "Stage 4/Duration=200"});
+  check_restart("transient", transient, 6);
+  // the forces at the start of the next stage are those at the end of this one
+  check_restart("between two transient stages",
+                with(transient,
+                     {"Number of stages=5",
+                      "Stage 4/Steps=2",
+                      "Stage 5/Contact=true",
+                      "Stage 5/Friction=0.5",
+                      "Stage 5/Transient rolling=true",
+                      "Stage 5/Duration=100",
+                      "Stage 5/Control=foundation force and axle moment",
+                      "Stage 5/Force=1000",
+                      "Stage 5/Axle moment=-1000",
+                      "Stage 5/Steps=2"}),
+                7);
 }

@@ -83,7 +83,8 @@ namespace Biface
        * equilibrium. */
       dealii::Tensor<1, 2> extrapolation;
       /** The velocity with which the tip of the bristle has slipped over the
-       * ground since the station before. Unit: length/time. */
+       * ground since the station before, or in a step in time, as a mean. Unit:
+       * length/time. */
       dealii::Tensor<1, 2> slip_velocity;
       /** The derivatives of both components of the deflection by the positions
        * of the stations from @p first to this one, and by the angular
@@ -98,7 +99,7 @@ namespace Biface
       bool
       slips() const
       {
-        return slip_velocity.norm_square() > 0;
+        return is_limited;
       }
     };
 
@@ -150,9 +151,9 @@ namespace Biface
      *     \gamma_j\,\Delta\mathbf g_j\right)
      * @f]
      * with the positions @f$\mathbf x^-@f$ at the start of the part, the motion
-     * @f$\Delta\mathbf g@f$ of the body, and @f$P=C@f$, @f$\gamma=1@f$ but at
-     * the first station that touches, see section 10 of doc/theory.md. The
-     * steady state is that of deflections().
+     * @f$\Delta\mathbf g@f$ of the body, and @f$P=C@f$ and @f$\gamma=1@f$
+     * except at the first station that touches, see section 10 of
+     * doc/theory.md. The steady state is that of deflections().
      *
      * @param past the stations at the start of the step.
      * @param duration of the step. Unit: time.

@@ -50,6 +50,13 @@ namespace Biface
       return start.rolls() || end(start).rolls() || prescribes_axle_moment();
     }
 
+    /** Whether the wheel rolls freely and steadily at the end of the stage. */
+    bool
+    ends_free_rolling() const
+    {
+      return StageControl::ends_free_rolling() && !transient_rolling;
+    }
+
     /** The settings that matter for remedies if a step of the stage fails.
      * @param position that of the stage. */
     InUse

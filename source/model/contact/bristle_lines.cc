@@ -19,21 +19,19 @@ namespace Biface
   namespace
   {
     /** The mean motion between two.
-     * @param start null if nothing moves.
      * @param angular_velocity_is_given otherwise it is that at the end. */
     Rolling
-    mean_motion(const Rolling *start,
+    mean_motion(const Rolling &start,
                 const Rolling &end,
                 const bool     angular_velocity_is_given)
     {
-      Rolling            mean   = end;
-      const GroundMotion before = (start ? start->ground : GroundMotion());
+      Rolling mean = end;
       mean.ground.velocity =
-        (before.at(end.ground.point) + end.ground.velocity) / 2;
-      mean.ground.spin = (before.spin + end.ground.spin) / 2;
+        (start.ground.at(end.ground.point) + end.ground.velocity) / 2;
+      mean.ground.spin = (start.ground.spin + end.ground.spin) / 2;
       if (angular_velocity_is_given)
         mean.angular_velocity =
-          ((start ? start->angular_velocity : 0.) + end.angular_velocity) / 2;
+          (start.angular_velocity + end.angular_velocity) / 2;
       return mean;
     }
   } // namespace
@@ -77,9 +75,8 @@ namespace Biface
           known.area = area;
         }
     const Rolling over_step =
-      (step ? mean_motion(step->loads.rolling.get(),
-                          *rolling,
-                          step->angular_velocity_is_given)
+      (step ? mean_motion(
+                *step->loads.rolling, *rolling, step->angular_velocity_is_given)
             : *rolling);
     for (const auto &line : by_line)
       append_lines(line.second, over_step);
@@ -344,7 +341,8 @@ namespace Biface
     Tensor<1, 3> rate;
     if (!line.nodes[j].touches)
       return rate;
-    // a travel of the body is equivalent to the opposite motion of all nodes
+    // a travel of the body is equivalent to the opposite motion of all nodes,
+    // in time on a drum but for the first one that touches
     const Tensor<1, 3> motion = rates.travel * body->body.direction();
     if (rates.travel != 0)
       for (unsigned int i = line.bristles[j].first; i <= j; ++i)

@@ -159,7 +159,7 @@ namespace Biface
       }
     result.mismatch =
       result.axle_power + result.ground_power - result.friction_power;
-    if (mesh.get_layup().has_loss())
+    if (mesh.get_layup().has_loss() && !state.rolling_step)
       {
         result.hysteresis =
           find_hysteresis(equations, state, rolling.angular_velocity);
@@ -172,7 +172,8 @@ namespace Biface
           (speed > 0 ? result.hysteresis_power / speed
                      : std::numeric_limits<double>::quiet_NaN());
       }
-    // the balance is that of a shape that does not change
+    // the balance, and the cycles of the strains, are those of a shape that
+    // does not change
     if (state.rolling_step)
       for (double *power : {&result.friction_power,
                             &result.normal_power,

@@ -282,14 +282,18 @@ namespace Biface
         if (ground.body(loads)->laws.bristles())
           without_slip =
             angular_velocity_without_slip(ground, from.state, loads);
-        // at the same slip, or without any: a moment that came in no time has
-        // turned the wheel at any speed
-        const double scaled = from.level.angular_velocity *
-                              next.ground_velocity / from.level.ground_velocity;
-        if (from.level.ground_velocity != 0 &&
-            (!without_slip ||
-             std::abs(scaled - *without_slip) <= 2 * std::abs(*without_slip)))
-          return scaled;
+        // at the same slip, unless it is no slip of a rolling wheel, such as
+        // after a moment that has come in no time
+        constexpr double largest_slip = 2;
+        if (from.level.ground_velocity != 0)
+          {
+            const double same_slip = from.level.angular_velocity *
+                                     next.ground_velocity /
+                                     from.level.ground_velocity;
+            if (!without_slip || std::abs(same_slip - *without_slip) <=
+                                   largest_slip * std::abs(*without_slip))
+              return same_slip;
+          }
         if (without_slip)
           return *without_slip;
         // as a rigid wheel of the same height

@@ -12,7 +12,7 @@
 namespace Biface
 {
   /** The time in which a wheel rolls on from one state to another, and what it
-   * starts from, see RollingFootprint. */
+   * starts from, see BristleLines. */
   struct RollingStep
   {
     /** The displacements at the start, readable at all nodes of this rank. */
