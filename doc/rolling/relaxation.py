@@ -152,7 +152,7 @@ def main():
         way = 2 * np.pi * radius / AROUND * np.arange(1, TURNED + 1)
         right.plot(way, of_mesh, "o", color=color, markersize=3)
         right.plot(way, of_axle, color=color)
-        right.annotate(title, (way[-1], of_axle[-1]), (0, -18),
+        right.annotate(title, (way[-1], of_axle[-1]), (0, -32),
                        textcoords="offset points", ha="right")
         for cells in (1, 4, 8, 16, 24):
             lines.append((name, cells, of_axle[cells - 1], of_mesh[cells - 1]))
@@ -163,8 +163,8 @@ def main():
                         "braked by 2 %: $-F_x$, N", "turned, N"], rows))
     left.set_ylabel("Side force $-F_y$, N")
     right.set_ylabel("Force on the ground, N")
-    left.set_xlabel("Way after the step, mm")
-    right.set_xlabel("Way from standing, mm")
+    left.set_xlabel("Distance after the change, mm")
+    right.set_xlabel("Distance from standing, mm")
     for axes in (left, right):
         axes.set_ylim(bottom=0)
     save(figure, arguments.output / "relaxation.png")
