@@ -65,6 +65,25 @@ namespace Biface
 
 
   void
+  Parameters::check_inertia_of_wheel(const std::string &section,
+                                     const Stage       &stage) const
+  {
+    // it would brake the rotation
+    if (stage.damping_in_time.of_mass > 0)
+      throw InputError(section + "/Mass damping",
+                       number_to_string(stage.damping_in_time.of_mass),
+                       "it must be 0 with 'Inertia = true' where the wheel "
+                       "rolls or spins");
+    if (stage.contact && !friction_in(stage).is_zero() &&
+        !stage.transient_rolling)
+      throw InputError(section + "/Transient rolling",
+                       "false",
+                       "it must be 'true' with 'Inertia = true' where the "
+                       "wheel rolls with friction");
+  }
+
+
+  void
   Parameters::check_inertia() const
   {
     const std::vector<bool> rolls = rolling_stages();
@@ -89,10 +108,11 @@ namespace Biface
                section + "/Duration",
                number_to_string(stage.duration),
                "positive");
-        refuse(stage.control != ControlKind::load,
+        refuse(stage.control != ControlKind::load &&
+                 stage.control != ControlKind::axle_moment,
                section + "/Control",
                stage.control_name(),
-               "'load'");
+               "'load' or 'axle moment'");
         check_masses(stage, section);
         refuse(stage.theory == StrainTheory::linear,
                section + "/Strain theory",
@@ -152,9 +172,7 @@ namespace Biface
                sensitivities.entries,
                "empty");
         if (rolls[i])
-          throw InputError(section + "/Inertia",
-                           "true",
-                           "it must be 'false' where the wheel rolls or spins");
+          check_inertia_of_wheel(section, stage);
         for (const PlyParameters &ply : laminate.plies)
           for (const MaterialParameters &material : materials)
             if (material.name == ply.material && material.relaxes())

@@ -8,7 +8,6 @@
 #include <biface/model/heat/heat_of_plies.h>
 #include <biface/model/quantities/hysteresis.h>
 #include <biface/model/state/loads.h>
-#include <biface/model/state/rolling_step.h>
 #include <biface/stepping/attempt.h>
 #include <biface/stepping/stage_run.h>
 
@@ -16,22 +15,6 @@ namespace Biface
 {
   namespace
   {
-    /** The step in which the bristles of a wheel move on from the last
-     * equilibrium; null in steady rolling. */
-    std::shared_ptr<const RollingStep>
-    rolling_step(const StageRun &run, const double duration)
-    {
-      if (!run.stage.transient_rolling)
-        return nullptr;
-      return std::make_shared<const RollingStep>(
-        RollingStep{run.state.displacement,
-                    run.state.contacts,
-                    run.loads_at(run.progress.reached),
-                    duration,
-                    !run.stage.prescribes_axle_moment()});
-    }
-
-
     /** After rolling with given temperatures, compute these and rolling in
      * turn, until they settle. */
     void
@@ -97,7 +80,7 @@ namespace Biface
       attempt.state.terms.erase("heat");
     attempt.state.time_step = run.time_step_to(trial.level(guess.mu));
     attempt.state.rolling_step =
-      rolling_step(run, attempt.state.time_step.duration);
+      run.rolling_step(attempt.state.time_step.duration);
     const ParametrizedLoads loads{[&](const LoadParameters &mu) {
                                     Loads result =
                                       run.loads_at(trial.level(mu), laws);

@@ -144,6 +144,7 @@ namespace Biface
     attempt.state           = run.state;
     attempt.state.step      = step;
     attempt.state.time_step = run.time_step_to(level);
+    attempt.state.rolling_step = run.rolling_step(step->duration);
     // a temporary would be moved, without the entries of ghosts
     const LA::Vector guess     = extrapolated(run.state, step->duration);
     attempt.state.displacement = guess;

@@ -127,6 +127,20 @@ namespace Biface
   }
 
 
+  std::shared_ptr<const RollingStep>
+  StageRun::rolling_step(const double duration) const
+  {
+    if (!stage.transient_rolling)
+      return nullptr;
+    return std::make_shared<const RollingStep>(
+      RollingStep{state.displacement,
+                  state.contacts,
+                  loads_at(progress.reached),
+                  duration,
+                  stage.inertia || !stage.prescribes_axle_moment()});
+  }
+
+
   Loads
   StageRun::loads_without_contact(const LoadLevel &level) const
   {

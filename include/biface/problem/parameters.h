@@ -232,6 +232,11 @@ namespace Biface
     void
     check_inclination(const std::string &section, const double angle) const;
 
+    /** Check a stage with 'Inertia' in which the wheel rolls. */
+    void
+    check_inertia_of_wheel(const std::string &section,
+                           const Stage       &stage) const;
+
     /** Check a stage with 'Transient rolling'. */
     void
     check_transient_rolling(const std::string &section,

@@ -20,6 +20,7 @@ namespace Biface
 {
   class ContactInteraction;
   struct Loads;
+  struct RollingStep;
 
 
   /**
@@ -69,6 +70,11 @@ namespace Biface
      * level. */
     TimeStep
     time_step_to(const LoadLevel &level) const;
+
+    /** The step in which the bristles of a wheel move on from the last
+     * converged one; null in steady rolling. */
+    std::shared_ptr<const RollingStep>
+    rolling_step(const double duration) const;
 
     /** The equilibrium from which the next step starts. */
     Control::Equilibrium

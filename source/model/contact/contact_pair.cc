@@ -142,17 +142,41 @@ namespace Biface
   }
 
 
+  ContactState
+  ContactPair::zone_at_clearances(const State &state, const Loads &loads) const
+  {
+    ContactState            zone      = state_of(state);
+    const ContactCondition &condition = body(loads)->laws.condition();
+    for (unsigned int n = 0; n < points.size(); ++n)
+      {
+        const double clearance =
+          (points.may_touch(n) ? this->clearance(state, loads, n) : 0.);
+        zone.active[n]         = clearance < 0;
+        zone.multipliers[n][0] =
+          (zone.active[n] ? condition.multiplier(clearance) : 0.);
+      }
+    return zone;
+  }
+
+
   BristleLines
   ContactPair::bristle_lines(const State &state, const Loads &loads) const
   {
-    return BristleLines(mesh,
-                        streamlines,
-                        face,
-                        number,
-                        state,
-                        state_of(state),
-                        body(loads),
-                        loads.rolling.get());
+    const auto lines = [&](const ContactState &zone) {
+      return BristleLines(mesh,
+                          streamlines,
+                          face,
+                          number,
+                          state,
+                          zone,
+                          body(loads),
+                          loads.rolling.get());
+    };
+    // in time there is no active set
+    return state.step && loads.rolling && body(loads) &&
+               body(loads)->laws.bristles()
+             ? lines(zone_at_clearances(state, loads))
+             : lines(state_of(state));
   }
 
 

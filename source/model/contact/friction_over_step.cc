@@ -50,7 +50,8 @@ namespace Biface
                      const Tensor<1, 3> &normal,
                      const double        pressure)
   {
-    if (!contact.has_friction(loads))
+    // bristles have tractions at the end of the step, all at once
+    if (!contact.has_friction(loads) || contact.body(loads)->laws.bristles())
       return {};
     const PlacedBody  &body  = *contact.body(loads);
     const FrictionLaw &law   = body.laws.friction();

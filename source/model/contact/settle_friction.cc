@@ -15,7 +15,8 @@ namespace Biface
                             const Loads       &loads,
                             State             &state)
   {
-    if (!contact.has_friction(loads))
+    // bristles are those of the contact at the end of the step already
+    if (!contact.has_friction(loads) || contact.body(loads)->laws.bristles())
       return;
     const PlacedBody &body = *contact.body(loads);
     ContactState     &zone = contact.state_of(state);
@@ -45,7 +46,7 @@ namespace Biface
                           const State       &state,
                           const Loads       &loads)
   {
-    if (!contact.has_friction(loads))
+    if (!contact.has_friction(loads) || contact.body(loads)->laws.bristles())
       return 0;
     const FrictionLaw &law = contact.body(loads)->laws.friction();
     return sum_over_points(contact, [&](const unsigned int point) {

@@ -3,7 +3,7 @@
 #include <biface/model/contact/contact_forces.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/equations/force_terms.h>
-#include <biface/model/forces/centrifugal_forces.h>
+#include <biface/model/forces/inertia_of_wheel.h>
 #include <biface/model/forces/edge_moments.h>
 #include <biface/model/forces/end_plates.h>
 #include <biface/model/forces/joints.h>
@@ -33,7 +33,7 @@ namespace Biface
       terms.push_back(std::make_unique<EndPlates>(mesh, pressure));
     terms.push_back(
       std::make_unique<FollowerMoments>(mesh, dead_loads.edge_moments));
-    terms.push_back(std::make_unique<CentrifugalForces>(mesh));
+    terms.push_back(std::make_unique<InertiaOfWheel>(mesh));
     for (const auto &pair : contact.pairs)
       terms.push_back(std::make_unique<ContactForces>(*pair));
     return terms;

@@ -7,8 +7,7 @@
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/equations/velocity_matrix.h>
-#include <biface/model/mesh/circumferential_slope.h>
-#include <biface/model/mesh/strip.h>
+#include <biface/model/forces/inertia_of_wheel.h>
 #include <biface/model/state/loads.h>
 
 namespace Biface
@@ -17,41 +16,6 @@ namespace Biface
 
   namespace
   {
-    using MassMoments = std::array<std::array<double, 2>, 2>;
-
-    void
-    add_gyroscopic(const ShellMesh           &mesh,
-                   const Cell                &cell,
-                   const MassMoments         &m,
-                   const double               angular_velocity,
-                   MixedElement::NodalMatrix &G)
-    {
-      const double factor = angular_velocity * cell.geometry.weight / 4;
-      for (unsigned int q = 0; q < 4; ++q)
-        for (const auto &[vertex, derivative] :
-             CircumferentialSlope(mesh, cell, q).parts())
-          for (unsigned int f = 0; f < 2; ++f)
-            for (unsigned int g = 0; g < 2; ++g)
-              {
-                // two transposed terms of opposite sign make the matrix skew to
-                // round-off, section 10 of doc/theory.md
-                const Tensor<2, 3> part = factor * m[f][g] * derivative;
-                MixedElement::add_stiffness(-part,
-                                            q,
-                                            MixedElement::face_sign[f],
-                                            vertex,
-                                            MixedElement::face_sign[g],
-                                            G);
-                MixedElement::add_stiffness(transpose(part),
-                                            vertex,
-                                            MixedElement::face_sign[f],
-                                            q,
-                                            MixedElement::face_sign[g],
-                                            G);
-              }
-    }
-
-
     void
     add_friction(const ContactPair         &pair,
                  const State               &state,
@@ -90,10 +54,7 @@ namespace Biface
     Assert(loads.rolling, ExcNotInitialized());
     const double angular_velocity = loads.rolling->angular_velocity;
 
-    std::vector<MassMoments> mass_moments;
-    for (const Strip &strip : mesh.strips)
-      mass_moments.push_back(strip.laminate.mass_moments());
-
+    const InertiaOfWheel inertia(mesh);
     const auto pairs   = contact.present(loads);
     LA::Vector nothing = mesh.owned_vector();
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
@@ -101,11 +62,7 @@ namespace Biface
         const Cell               &cell = mesh.cells[c];
         MixedElement::NodalMatrix velocity_matrix{};
         if (cell.is_layer)
-          add_gyroscopic(mesh,
-                         cell,
-                         mass_moments[cell.strip],
-                         angular_velocity,
-                         velocity_matrix);
+          inertia.add_gyroscopic(cell, angular_velocity, velocity_matrix);
         // mass belongs to the layers, contact to the wall
         if (cell.is_wall)
           for (const ContactPair *pair : pairs)

@@ -159,7 +159,8 @@ namespace Biface
       }
     result.mismatch =
       result.axle_power + result.ground_power - result.friction_power;
-    if (mesh.get_layup().has_loss() && !state.rolling_step)
+    const bool is_steady = !state.rolling_step && state.velocity.size() == 0;
+    if (mesh.get_layup().has_loss() && is_steady)
       {
         result.hysteresis =
           find_hysteresis(equations, state, rolling.angular_velocity);
@@ -174,7 +175,7 @@ namespace Biface
       }
     // the balance, and the cycles of the strains, are those of a shape that
     // does not change
-    if (state.rolling_step)
+    if (!is_steady)
       for (double *power : {&result.friction_power,
                             &result.normal_power,
                             &result.sliding_power,

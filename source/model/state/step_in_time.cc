@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include <biface/contact/rolling.h>
 #include <biface/model/mesh/shell_mesh.h>
 #include <biface/model/state/step_in_time.h>
 
@@ -30,6 +31,17 @@ namespace Biface
       });
     AssertThrow(found != masses.end(), dealii::ExcInternalError());
     return *found;
+  }
+
+
+  StepInTime::Spin
+  StepInTime::spin(const Loads &end) const
+  {
+    const double before = (loads_at_start.rolling ?
+                             loads_at_start.rolling->angular_velocity :
+                             0.),
+                 after  = end.rolling->angular_velocity;
+    return {(before + after) / 2, (after - before) / duration};
   }
 
 

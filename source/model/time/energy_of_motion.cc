@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include <biface/contact/rolling.h>
+#include <biface/model/contact/bristle_lines.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_over_step.h>
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/contact/settle_friction.h>
 #include <biface/model/equations/mass_matrix.h>
 #include <biface/model/equations/shell_equations.h>
+#include <biface/model/forces/inertia_of_wheel.h>
 #include <biface/model/forces/nodal_forces.h>
 #include <biface/model/quantities/contact_resultants.h>
 #include <biface/model/state/step_in_time.h>
@@ -79,8 +82,18 @@ namespace Biface
     if (state.velocity.size() == 0)
       return result;
 
-    const LA::Vector momentum = inertia(mesh, state.velocity);
-    result.kinetic            = momentum * owned_part(state.velocity) / 2;
+    LA::Vector momentum = inertia(mesh, state.velocity);
+    result.kinetic      = momentum * owned_part(state.velocity) / 2;
+    if (loads.rolling)
+      {
+        const InertiaOfWheel of_wheel(mesh);
+        const double angular_velocity = loads.rolling->angular_velocity;
+        result.centrifugal = of_wheel.potential(state, angular_velocity);
+        LA::Vector flow    = mesh.owned_vector();
+        of_wheel.add_momentum(state, angular_velocity, flow);
+        flow.compress(VectorOperation::add);
+        momentum += flow;
+      }
     for (const Node &node : mesh.nodes)
       if (node.locally_owned)
         for (unsigned int face = 0; face <= mesh.n_layers(); ++face)
@@ -130,6 +143,24 @@ namespace Biface
   } // namespace
 
 
+  namespace
+  {
+    /** The work of the bristles of a wheel on its shape: they hold it to a
+     * ground that moves. */
+    double
+    work_of_bristles(const ContactPair &contact,
+                     const State       &state,
+                     const Loads       &loads,
+                     const LA::Vector  &change)
+    {
+      LA::Vector forces = contact.mesh.owned_vector();
+      contact.bristle_lines(state, loads).add_forces(forces);
+      forces.compress(VectorOperation::add);
+      return forces * change;
+    }
+  } // namespace
+
+
   Work
   work_in_time(const ShellEquations     &equations,
                const ContactInteraction &contact,
@@ -143,6 +174,15 @@ namespace Biface
     LA::Vector        change = owned_part(state.displacement);
     change -= owned_part(step.start.displacement);
 
+    EnergyOfMotion before =
+      energy_of_motion(equations, contact, step.start, step.loads_at_start);
+    for (const MovingMass &mass : step.masses)
+      {
+        before.of_masses += mass.kinetic_energy(mass.velocity);
+        before.of_springs += mass.energy_of_spring(
+          factor_at(step.loads_at_start.factors, mass.factor));
+      }
+
     double on_shell = forces[ForceTerm::Source::ground] * change;
     for (const auto &pair : contact.pairs)
       if (const auto found = forces.of_bodies.find(pair->name);
@@ -155,9 +195,12 @@ namespace Biface
       (mesh.prescribes_displacements()
          ? -(forces[ForceTerm::Source::shell] * change) - of_inertia - on_shell
          : forces[ForceTerm::Source::loads] * change);
+    // what the axle does, which makes the potential another one
+    result.loads += after.centrifugal - before.centrifugal;
     for (const auto &pair : contact.pairs)
       {
-        result.ground += work_of_body_over_step(*pair, state, loads);
+        result.ground += work_of_body_over_step(*pair, state, loads) +
+                         work_of_bristles(*pair, state, loads, change);
         result.friction += friction_work_over_step(*pair, state, loads);
       }
 
@@ -171,14 +214,6 @@ namespace Biface
     result.damping          = mass_damping + of_strains - numerical;
     result.numerical        = numerical;
 
-    EnergyOfMotion before =
-      energy_of_motion(equations, contact, step.start, step.loads_at_start);
-    for (const MovingMass &mass : step.masses)
-      {
-        before.of_masses += mass.kinetic_energy(mass.velocity);
-        before.of_springs += mass.energy_of_spring(
-          factor_at(step.loads_at_start.factors, mass.factor));
-      }
     // what goes into the springs of contact and does not come out
     const double lost =
       result.ground - on_shell - (after.contact - before.contact);

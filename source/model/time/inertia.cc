@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <biface/model/equations/mass_matrix.h>
+#include <biface/model/state/loads.h>
 #include <biface/model/state/step_in_time.h>
 #include <biface/model/time/inertia.h>
 
@@ -12,6 +13,13 @@ namespace Biface
                    const Loads & /*loads*/) const
   {
     return state.step && mesh.cells[cell].is_layer;
+  }
+
+
+  bool
+  Inertia::is_symmetric(const Loads &loads) const
+  {
+    return !loads.rolling;
   }
 
 

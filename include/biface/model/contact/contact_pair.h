@@ -232,6 +232,10 @@ namespace Biface
                                const TangentialLaw  &law,
                                const PointInContact &at) const;
 
+    /** The zone of contact that the clearances have, with their pressures. */
+    ContactState
+    zone_at_clearances(const State &state, const Loads &loads) const;
+
     const ContactConditionParameters                condition_parameters;
     const std::shared_ptr<const FrictionParameters> friction_parameters;
   };

@@ -28,7 +28,7 @@ namespace Biface
    *   \delta\mathbf u\cdot\dot{\mathbf u}'\right)dV,
    * @f]
    * so that the matrix is skew and does no work. It is summed over the vertices
-   * of the cells as in CentrifugalForces. Friction by slip velocity adds the
+   * of the cells as in InertiaOfWheel. Friction by slip velocity adds the
    * damping of the nodes in contact.
    */
   class VelocityMatrix

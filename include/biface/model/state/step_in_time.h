@@ -67,6 +67,18 @@ namespace Biface
     Loads
     over_step(const Loads &end) const;
 
+    /** The angular velocity of a wheel that rolls: its mean in the step, in
+     * which it changes evenly, and its rate. Unit: radians/time, and
+     * radians/time². */
+    struct Spin
+    {
+      double mean = 0, acceleration = 0;
+    };
+
+    /** @param end the loads at the end, with Loads::rolling. */
+    Spin
+    spin(const Loads &end) const;
+
     /** The velocity at the end of the step (locally owned entries), given the
      * state there. */
     LA::Vector

@@ -20,7 +20,11 @@ namespace Biface
    * the shell. Unit: force times length, and force times time. */
   struct EnergyOfMotion
   {
+    /** In the frame of the axle, if the shell is a wheel that rolls. */
     double kinetic = 0;
+    /** The potential of centrifugal forces on a wheel that rolls, see
+     * InertiaOfWheel::potential(). */
+    double centrifugal = 0;
     /** The energy of ShellEquations::strain_energy(). */
     double strain = 0;
     /** The energy of the springs of contact. */
@@ -35,7 +39,7 @@ namespace Biface
     double
     sum() const
     {
-      return kinetic + strain + contact + of_masses + of_springs;
+      return kinetic + centrifugal + strain + contact + of_masses + of_springs;
     }
   };
 

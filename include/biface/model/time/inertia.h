@@ -36,6 +36,11 @@ namespace Biface
                   const CellState &end,
                   CellForces      &forces) const override;
 
+    /** The forces of Coriolis in a step, of which the loads know nothing, make
+     * the tangent of a wheel that rolls unsymmetric. */
+    bool
+    is_symmetric(const Loads &loads) const override;
+
     Source
     source() const override
     {
