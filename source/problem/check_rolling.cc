@@ -194,13 +194,6 @@ namespace Biface
                                body.name,
                                "where the wheel rolls it must have 'Friction = "
                                "0'");
-            // the moment is that of the ground alone
-            if (stage.prescribes_axle_moment())
-              throw InputError(section + "/Control",
-                               stage.control_name(),
-                               "the moment of the axle must not be prescribed "
-                               "where the wheel rolls over the body '" +
-                                 body.name + "'");
           }
         if (contact.condition.points_per_side > 0 && stage.contact)
           throw InputError("Contact/Points in cells",

@@ -16,6 +16,7 @@
 #include <biface/model/forces/nodal_forces.h>
 #include <biface/model/mesh/supports.h>
 #include <biface/model/state/step_in_time.h>
+#include <biface/model/time/axle_moment_in_time.h>
 #include <biface/model/time/energy_of_motion.h>
 #include <biface/stepping/attempt_in_time.h>
 #include <biface/stepping/masses_of_stage.h>
@@ -110,6 +111,7 @@ namespace Biface
     step->loads_at_start = run.loads_at(run.progress.reached);
     step->duration       = trial.within(1).time - run.progress.reached.time;
     step->damping        = run.stage.damping_in_time;
+    step->moment_of_inertia = run.stage.moment_of_inertia;
     step->masses         = masses_of_stage(run.stage,
                                    run.equations.mesh,
                                    run.state,
@@ -253,7 +255,10 @@ namespace Biface
       energy_of_motion(run.equations, run.contact, state, loads);
     const Work work =
       work_in_time(run.equations, run.contact, state, loads, forces, energy);
+    std::optional<double> moment;
+    if (loads.rolling)
+      moment = axle_moment_in_time(run.contact, state, loads).value;
     state.step.reset();
-    return {work, energy};
+    return {work, energy, moment};
   }
 } // namespace Biface

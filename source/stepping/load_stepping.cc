@@ -510,13 +510,15 @@ namespace Biface
     equations.commit_step(run.state, loads, time, attempt.state);
 
     std::optional<EnergyOfMotion> motion;
+    std::optional<double>         axle_moment;
     if (step)
       {
         forces = over_step;
         const EndOfStepInTime end =
           end_step_in_time(run, step, loads, *forces, attempt.state);
         progress.work += end.work;
-        motion = end.energy;
+        motion      = end.energy;
+        axle_moment = end.axle_moment;
       }
     else
       {
@@ -542,6 +544,7 @@ namespace Biface
     report.n_heat_rounds     = attempt.n_heat_rounds;
     report.n_cuts            = attempt.n_cuts;
     report.motion            = motion;
+    report.axle_moment       = axle_moment;
     for (const auto &analysis : analyses)
       analysis->end_step(run, report);
     return report;

@@ -30,10 +30,16 @@ namespace Biface
       return;
     report.rolling =
       summarize_rolling(run.equations,
-                        run.contact.ground(),
+                        run.contact,
                         run.state,
                         *report.loads,
                         force_of_ground(report.forces_of_bodies));
+    if (report.axle_moment)
+      {
+        report.rolling->axle_moment = *report.axle_moment;
+        report.rolling->axle_power =
+          *report.axle_moment * report.loads->rolling->angular_velocity;
+      }
     if (run.heat && report.rolling->hysteresis)
       add_heat(run, report);
     report.slip_velocities =

@@ -104,6 +104,14 @@ namespace Biface
       "see 'Initial velocity'.",
       Unit("length/time, for a motion that only turns 1/time in "
            "radians"));
+    prm.add_parameter(
+      "Moment of inertia",
+      moment_of_inertia,
+      "Moment of inertia about the axle of rim, brake and all else that turns "
+      "with the shell of a wheel, which 'Control = axle moment' accelerates in a "
+      "stage with inertia. That of the shell is not part of it.",
+      Patterns::Double(),
+      Unit("mass*length^2"));
     histories.add_parameters(prm);
     prm.add_parameter(
       "Mass damping",
@@ -244,6 +252,9 @@ namespace Biface
           !velocities_of_bodies.empty(),
           "Initial velocities of bodies",
           velocities_of_bodies.empty() ? "" : velocities_of_bodies[0].first);
+        refuse_without_inertia(moment_of_inertia != 0,
+                               "Moment of inertia",
+                               number_to_string(moment_of_inertia));
         const auto names = histories.names();
         refuse_without_inertia(
           !names.empty(), "Load history", names.empty() ? "" : names.front());
@@ -253,6 +264,7 @@ namespace Biface
       check_positive(section + "/Time step", *time_step);
     check_not_negative(section + "/Time error", time_error);
     check_at_most(section + "/Time error", time_error, 1);
+    check_not_negative(section + "/Moment of inertia", moment_of_inertia);
     check_not_negative(section + "/Mass damping", damping_in_time.of_mass);
     check_not_negative(section + "/Stiffness damping",
                        damping_in_time.of_stiffness);

@@ -95,7 +95,7 @@ namespace
     rates[1].travel           = 1;
     const auto resultants     = [&](const State &state, const Loads &loads) {
       return std::array<LinearizedResultant, 2>{
-        {axle_moment(contact.ground(), state, loads, rates),
+        {axle_moment(contact, state, loads, rates),
          ground_force(contact.ground(), state, loads, rates)}};
     };
     const auto            here = resultants(state, loads);

@@ -4,6 +4,7 @@
 #define biface_stepping_attempt_in_time_h
 
 #include <memory>
+#include <optional>
 
 #include <biface/model/time/energy_of_motion.h>
 #include <biface/stepping/attempt.h>
@@ -27,12 +28,13 @@ namespace Biface
   std::shared_ptr<const NodalForces>
   forces_over_step(const StageRun &run, const Attempt &attempt);
 
-  /** What has happened in a step in time: its work, and the energies at its
-   * end. */
+  /** What has happened in a step in time: its work, the energies at its end,
+   * and the mean moment of the axle on a wheel that rolls. */
   struct EndOfStepInTime
   {
-    Work           work;
-    EnergyOfMotion energy;
+    Work                  work;
+    EnergyOfMotion        energy;
+    std::optional<double> axle_moment;
   };
 
 

@@ -54,7 +54,8 @@ namespace Biface
     bool
     ends_free_rolling() const
     {
-      return StageControl::ends_free_rolling() && !transient_rolling;
+      return StageControl::ends_free_rolling() && !transient_rolling &&
+             !inertia;
     }
 
     /** The settings that matter for remedies if a step of the stage fails.

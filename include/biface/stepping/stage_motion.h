@@ -36,6 +36,10 @@ namespace Biface
     double        time_error = 0.01;
     DampingInTime damping_in_time;
 
+    /** About the axle, of what turns with a wheel that rolls beside the shell.
+     * Unit: mass*length². */
+    double moment_of_inertia = 0;
+
     /** The formulas of the velocity at the start, by component x, y, z, of the
      * position x, y, z there; empty for that at the end of the stage before.
      * Unit: length/time. */
@@ -68,7 +72,7 @@ namespace Biface
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &inertia &transient_rolling &time_error &damping_in_time;
+      archive &inertia &transient_rolling &time_error &damping_in_time &moment_of_inertia;
     }
   };
 } // namespace Biface

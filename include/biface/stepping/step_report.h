@@ -78,7 +78,10 @@ namespace Biface
     /** The energies and momenta of a shell that moves, in a stage with inertia.
      */
     std::optional<EnergyOfMotion> motion;
-    ContactSummary                contact;
+    /** The mean moment of the axle in a step of a wheel that rolls in a stage
+     * with inertia, see axle_moment_in_time(). Unit: force times length. */
+    std::optional<double> axle_moment;
+    ContactSummary        contact;
     Footprint                     footprint;
     /** The bodies that are there beside the ground, by name. */
     std::map<std::string, BodyReport> bodies;

@@ -347,8 +347,10 @@ namespace Biface
     if (rates.travel != 0)
       for (unsigned int i = line.bristles[j].first; i <= j; ++i)
         rate += force_derivative(line, j, i) * motion;
+    // of the mean in a step
+    const double part = (step && step->angular_velocity_is_given ? 0.5 : 1);
     for (unsigned int c = 0; c < 2; ++c)
-      rate -= line.nodes[j].area * law->tangential_stiffness() *
+      rate -= line.nodes[j].area * law->tangential_stiffness() * part *
               rates.angular_velocity *
               line.bristles[j].per_angular_velocity[c] *
               line.stations[j].tangents[c];

@@ -7,6 +7,7 @@
 
 #include <biface/model/contact/bristle_lines.h>
 #include <biface/model/contact/contact_forces.h>
+#include <biface/model/contact/contact_interaction.h>
 #include <biface/model/quantities/contact_resultants.h>
 #include <biface/model/state/loads.h>
 #include <biface/model/state/placed_body.h>
@@ -138,21 +139,26 @@ namespace Biface
 
 
   LinearizedResultant
-  axle_moment(const ContactPair            &ground,
+  axle_moment(const ContactInteraction     &contact,
               const State                  &state,
               const Loads                  &loads,
               const std::vector<LoadRates> &rates)
   {
     // M = -sum f.(e_y x x), section 10 of doc/theory.md
     const Tensor<1, 3> axle({0., 1., 0.});
-    return work_of_contact(
-      ground,
-      state,
-      loads,
-      rates,
-      {[&](const Tensor<1, 3> &x) { return cross_product_3d(x, axle); },
-       [&](const Tensor<1, 3> &f) { return cross_product_3d(axle, f); },
-       {}});
+    LinearizedResultant result;
+    result.gradient = contact.mesh.owned_vector();
+    result.per_load.resize(rates.size());
+    for (const ContactPair *pair : contact.present(loads))
+      result += work_of_contact(
+        *pair,
+        state,
+        loads,
+        rates,
+        {[&](const Tensor<1, 3> &x) { return cross_product_3d(x, axle); },
+         [&](const Tensor<1, 3> &f) { return cross_product_3d(axle, f); },
+         {}});
+    return result;
   }
 
 

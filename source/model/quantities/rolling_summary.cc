@@ -11,6 +11,7 @@
 #include <biface/contact/tangential_law.h>
 #include <biface/laminate/layup.h>
 #include <biface/model/contact/bristle_lines.h>
+#include <biface/model/contact/contact_interaction.h>
 #include <biface/model/contact/contact_pair.h>
 #include <biface/model/quantities/contact_resultants.h>
 #include <biface/model/quantities/forces_on_shell.h>
@@ -101,12 +102,13 @@ namespace Biface
 
 
   RollingSummary
-  summarize_rolling(const ShellEquations &equations,
-                    const ContactPair    &contact,
-                    const State          &state,
-                    const Loads          &loads,
-                    const ForceOnShell   &exerted)
+  summarize_rolling(const ShellEquations     &equations,
+                    const ContactInteraction &interaction,
+                    const State              &state,
+                    const Loads              &loads,
+                    const ForceOnShell       &exerted)
   {
+    const ContactPair  &contact = interaction.ground();
     const RigidBody    &ground  = contact.body(loads)->body;
     const Rolling      &rolling = *loads.rolling;
     const GroundMotion &motion  = rolling.ground;
@@ -137,7 +139,7 @@ namespace Biface
     result.force         = in_axes(exerted.force);
     result.moment        = in_axes(exerted.moment_about(center));
     result.loaded_radius = center.norm();
-    result.axle_moment   = axle_moment(contact, state, loads).value;
+    result.axle_moment   = axle_moment(interaction, state, loads).value;
     result.rolling_radius =
       (rolling.angular_velocity != 0
          ? -(motion.velocity * axes.forward) / rolling.angular_velocity

@@ -17,6 +17,7 @@
 #include <biface/model/state/loads.h>
 #include <biface/model/state/placed_body.h>
 #include <biface/model/state/step_in_time.h>
+#include <biface/model/time/axle_moment_in_time.h>
 #include <biface/stepping/controls/controlled_resultant.h>
 
 namespace Biface
@@ -219,7 +220,9 @@ namespace Biface
       evaluate(const LoadedShell            &at,
                const std::vector<LoadRates> &rates) const override
       {
-        return axle_moment(at.contact.ground(), at.state, at.loads, rates);
+        return at.state.step
+                 ? axle_moment_in_time(at.contact, at.state, at.loads, rates)
+                 : axle_moment(at.contact, at.state, at.loads, rates);
       }
 
       std::string
@@ -237,9 +240,11 @@ namespace Biface
 
       double
       scale(const double prescribed,
-            const LinearizedResultant & /*now*/,
+            const LinearizedResultant         &now,
             const ControlEquations::Iteration &iteration) const override
       {
+        if (iteration.state.step)
+          return std::abs(prescribed) + now.magnitude;
         // free rolling prescribes zero: relative to what the force on the
         // ground would exert at the radius
         const double force = ground_force(iteration.contact.ground(),

@@ -28,11 +28,14 @@ namespace Biface
       ControlledResultants resultants;
       if (stage.prescribes_force())
         resultants.push_back(controlled_force());
-      if (stage.prescribes_axle_moment())
+      if (stage.prescribes_axle_moment() && !stage.inertia)
         resultants.push_back(controlled_axle_moment());
       // bodies pushed by forces come on top, also of 'Control = load'
       for (const MotionByForce &motion : stage.motions_by_force)
         resultants.push_back(controlled_motion(motion, stage.factors.size()));
+      // in time after their masses, which StepInTime has by their positions
+      if (stage.prescribes_axle_moment() && stage.inertia)
+        resultants.push_back(controlled_axle_moment());
       return resultants;
     }
   } // namespace

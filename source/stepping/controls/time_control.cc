@@ -65,6 +65,8 @@ namespace Biface
     for (const MotionByForce &motion : stage.motions_by_force)
       result.push_back(stage.histories.value(motion.name(), at * stage.duration)
                          .value_or(motion.force));
+    if (stage.prescribes_axle_moment())
+      result.push_back(stage.axle_moment);
     return result;
   }
 

@@ -9,6 +9,7 @@
 
 namespace Biface
 {
+  class ContactInteraction;
   class ContactPair;
   struct LoadRates;
   struct Loads;
@@ -27,7 +28,7 @@ namespace Biface
 
   /**
    * The moment of the axle on a wheel about the y axis. It is what balances the
-   * moment of the ground about the axle, @f$-\mathbf r\cdot\mathbf f@f$
+   * moments of the ground and of other bodies about the axle, @f$-\mathbf r\cdot\mathbf f@f$
    * with the rotation @f$\mathbf r=\mathbf e_y\times\mathbf x@f$ of the
    * deformed face. The rim exerts it in addition to what dead loads need:
    * only with it the power of the axle is what the ground takes, since the work
@@ -38,7 +39,7 @@ namespace Biface
    * Must be called on all ranks.
    */
   LinearizedResultant
-  axle_moment(const ContactPair            &ground,
+  axle_moment(const ContactInteraction     &contact,
               const State                  &state,
               const Loads                  &loads,
               const std::vector<LoadRates> &rates = {});

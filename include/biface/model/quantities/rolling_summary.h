@@ -12,6 +12,7 @@
 
 namespace Biface
 {
+  class ContactInteraction;
   class ContactPair;
   struct ForceOnShell;
   struct Loads;
@@ -85,11 +86,11 @@ namespace Biface
    * ranks.
    * @param exerted the force of the ground. */
   RollingSummary
-  summarize_rolling(const ShellEquations &equations,
-                    const ContactPair    &contact,
-                    const State          &state,
-                    const Loads          &loads,
-                    const ForceOnShell   &exerted);
+  summarize_rolling(const ShellEquations     &equations,
+                    const ContactInteraction &interaction,
+                    const State              &state,
+                    const Loads              &loads,
+                    const ForceOnShell       &exerted);
 } // namespace Biface
 
 #endif

@@ -40,6 +40,9 @@ namespace Biface
     DampingInTime damping;
     /** The bodies and supports that move with their masses. */
     std::vector<MovingMass> masses;
+    /** About the axle, of what turns with a wheel beside the shell: rim, brake
+     * and drive. Unit: mass*length². */
+    double moment_of_inertia = 0;
     /** Whether the tangent holds points that slip against their traction, too,
      * by its secant: an iteration that would throw them to and fro then
      * converges, though more slowly. */
