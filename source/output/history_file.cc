@@ -82,9 +82,10 @@ namespace Biface
 
 
     /** Empty fields but for the time in stages without inertia.
-     * @param with_time whether no other group has the time. */
+     * @param with_time whether no other group has the time.
+     * @param rolls whether the shell may be a wheel that rolls. */
     HistoryGroup
-    group_of_motion(const bool with_time)
+    group_of_motion(const bool with_time, const bool rolls)
     {
       HistoryGroup group;
       if (with_time)
@@ -101,8 +102,11 @@ namespace Biface
                                  "angular_momentum_y",
                                  "angular_momentum_z"})
         group.columns.push_back(column);
+      if (rolls)
+        group.columns.push_back("centrifugal_energy");
       group.values =
-        [with_time, n = group.columns.size()](const HistoryGroup::Step &step) {
+        [with_time, rolls, n = group.columns.size()](
+          const HistoryGroup::Step &step) {
           std::vector<std::optional<double>> values;
           const StepReport                  &report = step.report;
           if (with_time)
@@ -119,6 +123,8 @@ namespace Biface
                    {motion->momentum, motion->angular_momentum})
                 for (unsigned int i = 0; i < 3; ++i)
                   values.emplace_back(momentum[i]);
+              if (rolls)
+                values.emplace_back(motion->centrifugal);
             }
           // a shell at rest has no motion: its fields stay empty
           values.resize(n);
@@ -261,7 +267,8 @@ namespace Biface
                                   step.report.level.inclination_angle};
                         }});
     if (Inertia::is_among(equations.get_terms()))
-      groups.push_back(group_of_motion(!mesh.get_layup().relaxes()));
+      groups.push_back(group_of_motion(!mesh.get_layup().relaxes(),
+                                       mesh.grid.closed));
     const TensionMembers members(mesh.get_layup());
     if (members.exist())
       {

@@ -29,6 +29,20 @@ namespace Biface
 
   namespace
   {
+    /** The loads of which the step takes the value in its middle. */
+    std::vector<double>
+    loads_of(const LoadLevel &level)
+    {
+      std::vector<double> loads = level.factors;
+      loads.insert(loads.end(),
+                   {level.pressure,
+                    level.angular_velocity,
+                    level.ground_velocity,
+                    level.slip_angle});
+      return loads;
+    }
+
+
     /** Whether the value of a load in the middle of a step is not its mean in
      * the step. */
     bool
@@ -37,24 +51,21 @@ namespace Biface
       // of the largest value in the step
       constexpr double remarkable = 0.1;
 
-      const QGauss<1>     rule(8);
-      const unsigned int  n_factors = middle.factors.size();
-      std::vector<double> mean(n_factors + 1), largest(n_factors + 1);
+      const QGauss<1>           rule(8);
+      const std::vector<double> at_middle = loads_of(middle);
+      std::vector<double> mean(at_middle.size()), largest(at_middle.size());
       for (unsigned int q = 0; q < rule.size(); ++q)
         {
-          const LoadLevel level = trial.within(rule.point(q)[0]);
-          for (unsigned int i = 0; i <= n_factors; ++i)
+          const std::vector<double> loads =
+            loads_of(trial.within(rule.point(q)[0]));
+          for (unsigned int i = 0; i < loads.size(); ++i)
             {
-              const double value =
-                (i < n_factors ? level.factors[i] : level.pressure);
-              mean[i] += rule.weight(q) * value;
-              largest[i] = std::max(largest[i], std::abs(value));
+              mean[i] += rule.weight(q) * loads[i];
+              largest[i] = std::max(largest[i], std::abs(loads[i]));
             }
         }
-      for (unsigned int i = 0; i <= n_factors; ++i)
-        if (!(std::abs(mean[i] -
-                       (i < n_factors ? middle.factors[i] : middle.pressure)) <=
-              remarkable * largest[i]))
+      for (unsigned int i = 0; i < mean.size(); ++i)
+        if (!(std::abs(mean[i] - at_middle[i]) <= remarkable * largest[i]))
           return true;
       return false;
     }

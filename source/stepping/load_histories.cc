@@ -45,10 +45,12 @@ namespace Biface
       parse_histories,
       "Loads of a stage with inertia as formulas of the time t since its "
       "start: a list of 'name: formula', separated by semicolons. A name is "
-      "'pressure', 'travel', 'turn', 'load factor', or one of those of 'Load "
-      "factors' or 'Forces on bodies': 'load factor: sin(200*t)'. They replace "
+      "'pressure', 'travel', 'turn', 'load factor', one of those of 'Load "
+      "factors' or 'Forces on bodies', or, of a wheel that rolls, 'angular "
+      "velocity', 'ground velocity', 'slip angle' or 'axle moment': 'load "
+      "factor: sin(200*t)'. They replace "
       "the values of these names; all other loads change evenly in the stage, "
-      "but for 'Forces on bodies', which are constant.",
+      "but for 'Forces on bodies' and 'Axle moment', which are constant.",
       RestartChange::within_stage);
     add_parsed(
       prm,

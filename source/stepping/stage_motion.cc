@@ -195,6 +195,25 @@ namespace Biface
           set(loads.travel, "Travel");
         else if (name == "turn")
           set(loads.turn, "Turn");
+        else if (name == "angular velocity")
+          set(loads.angular_velocity, "Angular velocity");
+        else if (name == "ground velocity")
+          set(loads.ground_velocity, "Ground velocity");
+        else if (name == "slip angle")
+          set(loads.slip_angle, "Slip angle");
+        else if (name == "axle moment")
+          {
+            if (!control.prescribes_axle_moment())
+              throw InputError(section + "/Load history",
+                               name,
+                               "it needs 'Control = axle moment'");
+            if (control.axle_moment != 0)
+              throw InputError(section + "/Axle moment",
+                               number_to_string(control.axle_moment),
+                               "it must not be given, since 'Load history' has "
+                               "'" +
+                                 name + "'");
+          }
         else if (name == "load factor")
           set(loads.common_factor, "Load factor");
         else if (control.has_force(name))

@@ -43,11 +43,13 @@ namespace Biface
     bool may_fail = false;
 
     /** Whether the shell rolls: it does not stand both at the start and at the
-     * end of the stage. */
+     * end of the stage, and between them. */
     bool
     rolls(const LoadLevel &start) const
     {
-      return start.rolls() || end(start).rolls() || prescribes_axle_moment();
+      return start.rolls() || end(start).rolls() || prescribes_axle_moment() ||
+             histories.has("angular velocity") ||
+             histories.has("ground velocity");
     }
 
     /** Whether the wheel rolls freely and steadily at the end of the stage. */

@@ -66,7 +66,9 @@ namespace Biface
       result.push_back(stage.histories.value(motion.name(), at * stage.duration)
                          .value_or(motion.force));
     if (stage.prescribes_axle_moment())
-      result.push_back(stage.axle_moment);
+      result.push_back(
+        stage.histories.value("axle moment", at * stage.duration)
+          .value_or(stage.axle_moment));
     return result;
   }
 
@@ -105,6 +107,11 @@ namespace Biface
     level.pressure = value("pressure").value_or(level.pressure);
     level.travel   = value("travel").value_or(level.travel);
     level.turn     = value("turn").value_or(level.turn);
+    level.angular_velocity =
+      value("angular velocity").value_or(level.angular_velocity);
+    level.ground_velocity =
+      value("ground velocity").value_or(level.ground_velocity);
+    level.slip_angle = value("slip angle").value_or(level.slip_angle);
     return level;
   }
 
