@@ -68,8 +68,10 @@ namespace
       ground    = with_ground;
       start = at(*equations, State(*mesh), some_displacement(*mesh, 0.2, 1));
       start.velocity = mesh->ghosted_vector();
-      start.velocity = some_displacement(*mesh, 30, 5);
-      touching       = travel_at_first_contact(contact->ground(), start);
+      // a temporary would be moved, without the entries of ghosts
+      const LA::Vector velocity = some_displacement(*mesh, 30, 5);
+      start.velocity            = velocity;
+      touching = travel_at_first_contact(contact->ground(), start);
     }
 
     /** The loads at an angular velocity; none for a shell that stands, without
