@@ -42,15 +42,16 @@ namespace Biface
       "Whether the shell has inertia: the stage goes through the time "
       "'Duration', from the state and the velocities at the end of the stage "
       "before, and not through equilibria. The shell is at rest at the start if "
-      "that stage has no inertia.",
+      "that stage has no inertia. A wheel that rolls moves in the frame of its "
+      "axle; with friction it needs 'Transient rolling', too.",
       Patterns::Bool());
     prm.add_parameter(
       "Transient rolling",
       transient_rolling,
       "Whether a wheel that rolls on bristles goes through the time 'Duration': "
       "the bristles of its footprint move on in each step from those of the "
-      "step before, while the wheel has no inertia, so that forces follow a "
-      "change of slip over a relaxation length. 'false': rolling is steady. "
+      "step before, so that forces follow a change of slip over a relaxation "
+      "length. The wheel has no inertia unless 'Inertia' is true. 'false': rolling is steady. "
       "For a sudden change of slip, reach it in a stage of a very short 'Duration'; "
       "let a moment of the axle change over a cell at least, since it turns the "
       "wheel.",
