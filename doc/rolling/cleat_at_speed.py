@@ -20,26 +20,25 @@ from example_page import Runs, table
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "source/python"))
 from biface_report.drawing import BLUE, GRAY, RED, STYLE, save
 
-# in km/h
-SPEEDS = 1, 10, 30
-# the place of the cleat at the start, and its way, in mm
-START, WAY = 120., 1000.
+# in km/h, with the ways of the cleat in mm
+WAYS = {1: 300., 10: 500., 30: 1000.}
+# its place at the start
+START = 120.
 
 
-def entries(speed):
+def entries(speed, way):
     """The settings of a speed in mm/s."""
     return {"Stage 3/Ground velocity": repr(speed),
-            "Stage 4/Duration": repr(WAY / speed)}
+            "Stage 4/Duration": repr(way / speed),
+            "Body cleat/Motions": f"pass: 0 0 -{way}"}
 
 
-def without_inertia(speed):
-    """Those of a wheel without inertia, over a shorter way."""
-    way = 240.
-    return {**entries(speed), "Stage 4/Inertia": "false",
-            "Stage 4/Duration": repr(way / speed), "Stage 4/Steps": 60,
+def without_inertia(speed, way):
+    """Those of a wheel without inertia."""
+    return {**entries(speed, way), "Stage 4/Inertia": "false", "Stage 4/Steps": 75,
             "Stage 4/Time step": "Duration/Steps", "Stage 4/Time error": 0.01,
             "Stage 4/Stiffness damping": 0, "Stage 4/Numerical damping": 0,
-            "Stage 4/Moment of inertia": 0, "Body cleat/Motions": f"pass: 0 0 -{way}"}
+            "Stage 4/Moment of inertia": 0}
 
 
 class Forces:
@@ -89,8 +88,8 @@ def main():
     arguments.scratch.mkdir(parents=True, exist_ok=True)
     runs = Runs(arguments)
 
-    settings = {f"{speed}": entries(speed / 3.6e-3) for speed in SPEEDS}
-    settings["slow"] = without_inertia(SPEEDS[0] / 3.6e-3)
+    settings = {f"{speed}": entries(speed / 3.6e-3, way) for speed, way in WAYS.items()}
+    settings["slow"] = without_inertia(1 / 3.6e-3, WAYS[1])
     with ThreadPoolExecutor(2) as pool:
         forces = dict(zip(settings, pool.map(
             lambda name: Forces(runs.run(name, "cleat_at_speed.prm", settings[name]),

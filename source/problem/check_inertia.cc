@@ -74,6 +74,10 @@ namespace Biface
                        number_to_string(stage.damping_in_time.of_mass),
                        "it must be 0 with 'Inertia = true' where the wheel "
                        "rolls or spins");
+    if (stage.moment_of_inertia > 0 && !stage.prescribes_axle_moment())
+      throw InputError(section + "/Moment of inertia",
+                       number_to_string(stage.moment_of_inertia),
+                       "it needs 'Control = axle moment'");
     if (stage.contact && !friction_in(stage).is_zero() &&
         !stage.transient_rolling)
       throw InputError(section + "/Transient rolling",
@@ -173,6 +177,11 @@ namespace Biface
                "empty");
         if (rolls[i])
           check_inertia_of_wheel(section, stage);
+        else
+          refuse(stage.moment_of_inertia > 0,
+                 section + "/Moment of inertia",
+                 number_to_string(stage.moment_of_inertia),
+                 "0 where no wheel rolls");
         for (const PlyParameters &ply : laminate.plies)
           for (const MaterialParameters &material : materials)
             if (material.name == ply.material && material.relaxes())

@@ -84,8 +84,9 @@ namespace Biface
                parse_velocity,
                "Velocity at the start of a stage with inertia: the components "
                "x, y, z as three formulas of the deformed position x, y, z, "
-               "separated by semicolons: '0; 0; -3000' for a fall. Empty: that "
-               "at the end of the stage before.",
+               "separated by semicolons: '0; 0; -3000' for a fall. Of a wheel "
+               "that rolls, that of its shape in the frame of the axle. Empty: "
+               "that at the end of the stage before.",
                Unit("length/time"));
     add_parsed(
       prm,

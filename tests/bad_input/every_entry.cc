@@ -668,6 +668,7 @@ namespace
     {"Stage 1/Loss factor", {{{"0.1", "-1"}}, {{"-1", "3"}, shaken}}},
     {"Gas/Sound speed", {{{"0", "-1"}}}},
     {"Gas/Adiabatic exponent", {{{"0", "-1"}}}},
+    {"Stage 1/Moment of inertia", {{{"1", "-1"}}, {{"-1"}, in_motion}}},
     {"Stage 1/Numerical damping", {{{"1", "-1"}}, {{"-1", "3"}, in_motion}}},
     {"Stage 1/Contact damping", {{{"1", "-1"}}, {{"-1", "2"}, in_motion}}},
     {"Material rubber/Matrix", {{{"neo-Hooke"}}}},

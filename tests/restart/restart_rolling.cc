@@ -2,7 +2,7 @@
 
 // A run that is stopped while force and axle moment of a rolling wheel are both
 // prescribed, or later its slip ratio, or while its bristles move on in time,
-// and continued on another number of ranks, has the history of an uninterrupted
+// with inertia or without it, and continued on another number of ranks, has the history of an uninterrupted
 // run.
 
 #include "../restart.h"
@@ -45,6 +45,17 @@ main(int argc, char *argv[])
           "Stage 4/Steps=4",
           "Stage 4/Duration=200"});
   check_restart("transient", transient, 6);
+  check_restart("with inertia",
+                with(transient,
+                     {"Material rubber/Density=1e-9",
+                      "Stage 4/Slip ratio=none",
+                      "Stage 4/Duration=0.02",
+                      "Stage 4/Inertia=true",
+                      "Stage 4/Control=axle moment",
+                      "Stage 4/Moment of inertia=0.1",
+                      "Stage 4/Axle moment=-1000",
+                      "Stage 4/Time error=0"}),
+                6);
   // the forces at the start of the next stage are those at the end of this one
   check_restart("between two transient stages",
                 with(transient,

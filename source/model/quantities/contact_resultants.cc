@@ -8,6 +8,7 @@
 #include <biface/model/contact/bristle_lines.h>
 #include <biface/model/contact/contact_forces.h>
 #include <biface/model/contact/contact_interaction.h>
+#include <biface/model/quantities/axle.h>
 #include <biface/model/quantities/contact_resultants.h>
 #include <biface/model/state/loads.h>
 #include <biface/model/state/placed_body.h>
@@ -103,14 +104,22 @@ namespace Biface
         }
 
       std::vector<double> per_rate(rates.size());
-      sums[0] += pair.bristle_lines(state, loads)
-                   .add_work(motion.at,
-                             motion.transposed_derivative,
-                             rates,
-                             result.gradient,
-                             per_rate);
+      const BristleLines  bristles = pair.bristle_lines(state, loads);
+      sums[0] += bristles.add_work(motion.at,
+                                   motion.transposed_derivative,
+                                   rates,
+                                   result.gradient,
+                                   per_rate);
       for (unsigned int i = 0; i < rates.size(); ++i)
         sums[2 + i] += per_rate[i];
+      if (bristles.exist())
+        for (unsigned int i = 0; i < motion.change.size(); ++i)
+          {
+            LA::Vector          unused = mesh.owned_vector();
+            std::vector<double> none;
+            sums[2 + i] += bristles.add_work(
+              motion.change[i], nullptr, {}, unused, none);
+          }
       result.gradient.compress(VectorOperation::add);
       mesh.condense(result.gradient);
       Utilities::MPI::sum(sums, mesh.communicator, sums);
@@ -145,19 +154,26 @@ namespace Biface
               const std::vector<LoadRates> &rates)
   {
     // M = -sum f.(e_y x x), section 10 of doc/theory.md
-    const Tensor<1, 3> axle({0., 1., 0.});
+    const Tensor<1, 3> axle({0., 1., 0.}),
+      place = displacement_of_axle(contact.mesh, loads);
+    Motion turn;
+    turn.at = [&](const Tensor<1, 3> &x) {
+      return cross_product_3d(x - place, axle);
+    };
+    turn.transposed_derivative = [&](const Tensor<1, 3> &f) {
+      return cross_product_3d(axle, f);
+    };
+    for (const LoadRates &of_loads : rates)
+      turn.change.push_back(
+        [moved = cross_product_3d(axle,
+                                  displacement_of_axle(contact.mesh,
+                                                       of_loads.factors))](
+          const Tensor<1, 3> &) { return moved; });
     LinearizedResultant result;
     result.gradient = contact.mesh.owned_vector();
     result.per_load.resize(rates.size());
     for (const ContactPair *pair : contact.present(loads))
-      result += work_of_contact(
-        *pair,
-        state,
-        loads,
-        rates,
-        {[&](const Tensor<1, 3> &x) { return cross_product_3d(x, axle); },
-         [&](const Tensor<1, 3> &f) { return cross_product_3d(axle, f); },
-         {}});
+      result += work_of_contact(*pair, state, loads, rates, turn);
     return result;
   }
 

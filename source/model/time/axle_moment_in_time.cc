@@ -6,6 +6,7 @@
 
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/forces/inertia_of_wheel.h>
+#include <biface/model/quantities/axle.h>
 #include <biface/model/quantities/contact_resultants.h>
 #include <biface/model/state/step_in_time.h>
 #include <biface/model/time/axle_moment_in_time.h>
@@ -43,10 +44,13 @@ namespace Biface
 
 
     /** The motion of all nodes in a rotation about the axle with a unit
-     * angular velocity, from given displacements (readable at all nodes of this
-     * rank). */
+     * angular velocity.
+     * @param displacement readable at all nodes of this rank.
+     * @param place of the axle. */
     LA::Vector
-    rotation(const ShellMesh &mesh, const LA::Vector &displacement)
+    rotation(const ShellMesh    &mesh,
+             const LA::Vector   &displacement,
+             const Tensor<1, 3> &place)
     {
       LA::Vector result = mesh.owned_vector();
       for (const Node &node : mesh.nodes)
@@ -57,14 +61,30 @@ namespace Biface
             [&](const unsigned int face) {
               return cross_product_3d(
                 axle,
-                Tensor<1, 3>(
-                  mesh.position_of_any_face(displacement, node, face)));
+                mesh.position_of_any_face(displacement, node, face) -
+                  Point<3>(place));
             },
             result);
       result.compress(VectorOperation::insert);
       LA::Vector with_ghosts = mesh.ghosted_vector();
       with_ghosts            = result;
       return with_ghosts;
+    }
+
+
+    /** The sum of nodal forces over all ranks. */
+    Tensor<1, 3>
+    sum_of(const ShellMesh &mesh, const LA::Vector &forces)
+    {
+      Tensor<1, 3> sum;
+      for (const Node &node : mesh.nodes)
+        if (node.locally_owned)
+          for (unsigned int face = 0; face <= mesh.n_layers(); ++face)
+            sum += node.surface.from_frame(
+              mesh.force_on_any_face(forces, node, face));
+      for (unsigned int i = 0; i < 3; ++i)
+        sum[i] = Utilities::MPI::sum(sum[i], mesh.communicator);
+      return sum;
     }
 
 
@@ -110,7 +130,12 @@ namespace Biface
       halfway.sadd(0.5, 0.5, owned_part(step.start.displacement));
       LA::Vector middle = mesh.ghosted_vector();
       middle            = halfway;
-      const LA::Vector turn = rotation(mesh, middle);
+      const LA::Vector turn =
+        rotation(mesh,
+                 middle,
+                 (displacement_of_axle(mesh, step.loads_at_start) +
+                  displacement_of_axle(mesh, loads)) /
+                   2);
 
       LinearizedResultant result;
       result.gradient              = mesh.owned_vector();
@@ -152,12 +177,21 @@ namespace Biface
         }
       nodal.compress(VectorOperation::add);
       add_change_of_rotation(mesh, nodal, -0.5, result.gradient);
+      // the place of the axle moves, too
+      const Tensor<1, 3> resultant = sum_of(mesh, nodal);
+      std::vector<double> by_place;
+      for (const LoadRates &of_loads : rates)
+        by_place.push_back(
+          cross_product_3d(axle, displacement_of_axle(mesh, of_loads.factors)) *
+          resultant / 2);
       result.gradient.compress(VectorOperation::add);
       mesh.condense(result.gradient);
       Utilities::MPI::sum(sums, mesh.communicator, sums);
       result.value     = sums[0];
       result.magnitude = sums[1];
       result.per_load.assign(sums.begin() + 2, sums.end());
+      for (unsigned int i = 0; i < rates.size(); ++i)
+        result.per_load[i] += by_place[i];
       return result;
     }
   } // namespace

@@ -199,6 +199,9 @@ namespace Biface
           throw InputError(section + "/Angular velocity",
                            number_to_string(*stage.angular_velocity),
                            with + "it must not be set: it is computed");
+        check_finite(section + "/Axle moment", stage.axle_moment);
+        if (stage.inertia)
+          return;
         // the first guess of the angular velocity is proportional to that of
         // the ground: from 0, the wheel would not roll
         const double velocity =
@@ -207,7 +210,6 @@ namespace Biface
           throw InputError(section + "/Ground velocity",
                            stage.ground_velocity ? "0" : "unchanged",
                            with + "the wheel must move over the ground");
-        check_finite(section + "/Axle moment", stage.axle_moment);
       }
 
       double

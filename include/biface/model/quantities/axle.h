@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef biface_model_quantities_axle_h
+#define biface_model_quantities_axle_h
+
+#include <deal.II/base/tensor.h>
+
+#include <vector>
+
+namespace Biface
+{
+  struct Loads;
+  class ShellMesh;
+
+
+  /** By how much the axle of a wheel has moved: the mean of the translations of
+   * the edges that its rim holds. Turns and other motions of them do not count.
+   * Unit: length. */
+  dealii::Tensor<1, 3>
+  displacement_of_axle(const ShellMesh &mesh, const Loads &loads);
+
+  /** The same by load factors, or by their rates. */
+  dealii::Tensor<1, 3>
+  displacement_of_axle(const ShellMesh           &mesh,
+                       const std::vector<double> &factors);
+} // namespace Biface
+
+#endif
