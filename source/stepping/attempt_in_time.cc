@@ -112,6 +112,47 @@ namespace Biface
   } // namespace
 
 
+  namespace
+  {
+    /** The forces that a guess leaves without balance. */
+    double
+    out_of_balance(const StageRun       &run,
+                   const Control::Trial &trial,
+                   const LoadParameters &mu,
+                   State                 guess)
+    {
+      const Loads loads =
+        run.equations.with_dependent_loads(guess, run.loads_at(trial.level(mu)));
+      run.equations.move_supports(guess, loads);
+      return run.equations.out_of_balance_forces(guess, loads).l2_norm();
+    }
+
+
+    /** Set the initial guess of a step: the shell moves on with its velocity
+     * or, if that leaves larger forces without balance, as in a step in which
+     * vibrations come and go, it stays where it is. */
+    void
+    set_guess(const StageRun &run, const Control::Trial &trial, Attempt &attempt)
+    {
+      const StepInTime &step = *attempt.state.step;
+      LoadParameters    mu   = attempt.mu;
+      for (unsigned int i = 0; i < step.masses.size(); ++i)
+        mu[i] +=
+          step.duration * step.masses[i].velocity / step.masses[i].amplitude;
+      State moved = attempt.state;
+      // a temporary would be moved, without the entries of ghosts
+      const LA::Vector displacement = extrapolated(run.state, step.duration);
+      moved.displacement            = displacement;
+      if (out_of_balance(run, trial, attempt.mu, attempt.state) <
+          out_of_balance(run, trial, mu, moved))
+        return;
+      attempt.state.displacement = displacement;
+      attempt.mu                 = mu;
+      attempt.level              = trial.level(mu);
+    }
+  } // namespace
+
+
   Attempt
   attempt_step_in_time(Newton               &newton,
                        const StageRun       &run,
@@ -128,18 +169,13 @@ namespace Biface
                                    run.state,
                                    step->loads_at_start,
                                    step->duration);
-    LoadParameters guess_of_mu = trial.mu;
-    for (unsigned int i = 0; i < step->masses.size(); ++i)
-      guess_of_mu[i] +=
-        step->duration * step->masses[i].velocity / step->masses[i].amplitude;
-    const LoadLevel level  = trial.level(guess_of_mu),
-                    middle = trial.within(0.5);
+    const LoadLevel middle = trial.within(0.5);
     step->middle.pressure  = middle.pressure;
     step->middle.factors   = middle.factors;
 
     Attempt attempt;
-    attempt.mu        = guess_of_mu;
-    attempt.level     = level;
+    attempt.mu        = trial.mu;
+    attempt.level     = trial.level(trial.mu);
     const auto reject = [&attempt](const std::string &why, const double error) {
       attempt.result.converged = false;
       attempt.result.failure   = {FailureCause::error_in_time, why};
@@ -154,22 +190,22 @@ namespace Biface
       }
     step->of_supports =
       correction_by_supports(run, *step, middle, trial.within(1));
-    attempt.state           = run.state;
-    attempt.state.step      = step;
-    attempt.state.time_step = run.time_step_to(level);
+    attempt.state              = run.state;
+    attempt.state.step         = step;
+    attempt.state.time_step    = run.time_step_to(attempt.level);
     attempt.state.rolling_step = run.rolling_step(step->duration);
-    // a temporary would be moved, without the entries of ghosts
-    const LA::Vector guess     = extrapolated(run.state, step->duration);
-    attempt.state.displacement = guess;
+    set_guess(run, trial, attempt);
 
     const ParametrizedLoads given{
       [&](const LoadParameters &mu) { return run.loads_at(trial.level(mu)); },
       trial.equations.get()};
     NewtonResult &result = attempt.result;
-    const State   start  = attempt.state;
+    const State          start       = attempt.state;
+    const LoadParameters guess_of_mu = attempt.mu;
     result               = newton.solve(
       attempt.state, given, attempt.mu, NewtonIteration::substituted);
-    if (result.failed() && run.contact.has_friction(run.loads_at(level)))
+    if (result.failed() &&
+        run.contact.has_friction(run.loads_at(attempt.level)) && !run.rolls)
       {
         // near the solution the exact tangent converges
         const auto secant          = std::make_shared<StepInTime>(*step);
