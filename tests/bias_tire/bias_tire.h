@@ -3,6 +3,7 @@
 #ifndef biface_tests_bias_tire_h
 #define biface_tests_bias_tire_h
 
+#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -55,6 +56,26 @@ secant_stiffnesses(const std::vector<Biface::StepReport> &reports)
       stiffnesses[report.stage] =
         report.stiffness.at("foundation").secant.along();
   return stiffnesses;
+}
+
+
+/** The way after which a part 1 - 1/e of the change of a force has happened.
+ * @param forces at equal distances over a way.
+ * @param end the force in the limit. */
+inline double
+relaxation_length(const std::vector<double> &forces,
+                  const double               end,
+                  const double               way)
+{
+  const double rest = std::exp(-1.);
+  const double step = way / (forces.size() - 1);
+  const auto   left = [&](const unsigned int i) {
+    return (end - forces[i]) / (end - forces[0]);
+  };
+  unsigned int i = 1;
+  while (i + 1 < forces.size() && left(i) > rest)
+    ++i;
+  return step * (i - 1 + (left(i - 1) - rest) / (left(i - 1) - left(i)));
 }
 
 #endif

@@ -41,21 +41,6 @@ namespace
     return result;
   }
 
-
-  /** The way after which a part 1 - 1/e of the change has happened. */
-  double
-  relaxation_length(const std::vector<double> &forces, const double end)
-  {
-    const double rest = std::exp(-1.);
-    const double step = way / (forces.size() - 1);
-    const auto   left = [&](const unsigned int i) {
-      return (end - forces[i]) / (end - forces[0]);
-    };
-    unsigned int i = 1;
-    while (i + 1 < forces.size() && left(i) > rest)
-      ++i;
-    return step * (i - 1 + (left(i - 1) - rest) / (left(i - 1) - left(i)));
-  }
 } // namespace
 
 
@@ -79,18 +64,20 @@ main(int argc, char *argv[])
 
   const auto forces = of_cells("1", 1);
   check_small("end at 1 degree", forces.back() - large, 1e-4, large);
-  check_small(
-    "length at 1 degree", relaxation_length(forces, large) - 180, 0.04, 180);
+  check_small("length at 1 degree",
+              relaxation_length(forces, large, way) - 180,
+              0.04,
+              180);
   check_small("at 0.1 degrees",
-              relaxation_length(of_cells("0.1", 1), small) - 220.2,
+              relaxation_length(of_cells("0.1", 1), small, way) - 220.2,
               0.05,
               220.2);
   check_small("in steps of four cells",
-              relaxation_length(of_cells("0.1", 4), small) - 231.0,
+              relaxation_length(of_cells("0.1", 4), small, way) - 231.0,
               0.05,
               231.0);
   check_small("of half a cell",
-              relaxation_length(of_cells("0.1", 0.5), small) - 220.2,
+              relaxation_length(of_cells("0.1", 0.5), small, way) - 220.2,
               0.05,
               220.2);
 
@@ -101,10 +88,10 @@ main(int argc, char *argv[])
                  "Stage 5/Force=1974.88",
                  "Stage 5/Steps=36"});
   check_small("with a given load and a free axle",
-              relaxation_length(free, free.back()) -
-                relaxation_length(forces, large),
+              relaxation_length(free, free.back(), way) -
+                relaxation_length(forces, large, way),
               0.05,
-              relaxation_length(forces, large));
+              relaxation_length(forces, large, way));
   // which turns the wheel at thousands of radians per second in no time
   const std::vector<Override> braked{"Stage 4/Slip angle=1",
                                      "Stage 4/Control=axle moment",
