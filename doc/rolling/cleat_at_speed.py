@@ -47,7 +47,10 @@ class Forces:
 
     def __init__(self, results, speed):
         cleat = results.stage("cleat")
-        self.time = cleat.history["time"] - results.stage("free").history["time"][-1]
+        rolling = results.rolling()
+        in_stage = rolling["stage"] == "cleat"
+        # no time passes before
+        self.time = rolling["time"][in_stage]
         self.steps = len(self.time)
         self.iterations = int(sum(cleat.history["iterations"]))
         self.place = START - speed * self.time
@@ -64,8 +67,7 @@ class Forces:
 
         # up is -x, forward is z
         self.up, self.forward = -of_beads("F_x"), of_beads("F_z")
-        rolling = results.rolling()
-        self.angular_velocity = rolling["angular_velocity"][rolling["stage"] == "cleat"]
+        self.angular_velocity = rolling["angular_velocity"][in_stage]
 
 
 def spectrum(time, values):
@@ -85,7 +87,8 @@ def main():
     parser.add_argument("--output", type=Path,
                         default=Path(__file__).resolve().parents[1] / "figures")
     arguments = parser.parse_args()
-    arguments.scratch.mkdir(parents=True, exist_ok=True)
+    for directory in (arguments.scratch, arguments.output):
+        directory.mkdir(parents=True, exist_ok=True)
     runs = Runs(arguments)
 
     settings = {f"{speed}": entries(speed / 3.6e-3, way) for speed, way in WAYS.items()}

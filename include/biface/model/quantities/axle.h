@@ -13,13 +13,14 @@ namespace Biface
   class ShellMesh;
 
 
-  /** By how much the axle of a wheel has moved: the mean of the translations of
-   * the edges that its rim holds. Turns and other motions of them do not count.
+  /** The motion of the axle of a wheel: the mean of the translations of the
+   * edges that its rim holds. Turns and other motions of them do not count.
    * Unit: length. */
   dealii::Tensor<1, 3>
   displacement_of_axle(const ShellMesh &mesh, const Loads &loads);
 
-  /** The same by load factors, or by their rates. */
+  /** The motion of the axle of a wheel by given load factors, or its velocity by
+   * their rates. Unit: length, or length/time. */
   dealii::Tensor<1, 3>
   displacement_of_axle(const ShellMesh           &mesh,
                        const std::vector<double> &factors);
