@@ -104,32 +104,31 @@ namespace Biface
         group.columns.push_back(column);
       if (rolls)
         group.columns.push_back("centrifugal_energy");
-      group.values =
-        [with_time, rolls, n = group.columns.size()](
-          const HistoryGroup::Step &step) {
-          std::vector<std::optional<double>> values;
-          const StepReport                  &report = step.report;
-          if (with_time)
-            values.emplace_back(report.level.time);
-          if (const auto &motion = report.motion)
-            {
-              for (const double value : {motion->kinetic + motion->of_masses,
-                                         motion->contact + motion->of_springs,
-                                         report.work.numerical,
-                                         report.work.contact,
-                                         report.work.unbalanced})
-                values.emplace_back(value);
-              for (const Tensor<1, 3> &momentum :
-                   {motion->momentum, motion->angular_momentum})
-                for (unsigned int i = 0; i < 3; ++i)
-                  values.emplace_back(momentum[i]);
-              if (rolls)
-                values.emplace_back(motion->centrifugal);
-            }
-          // a shell at rest has no motion: its fields stay empty
-          values.resize(n);
-          return values;
-        };
+      group.values = [with_time, rolls, n = group.columns.size()](
+                       const HistoryGroup::Step &step) {
+        std::vector<std::optional<double>> values;
+        const StepReport                  &report = step.report;
+        if (with_time)
+          values.emplace_back(report.level.time);
+        if (const auto &motion = report.motion)
+          {
+            for (const double value : {motion->kinetic + motion->of_masses,
+                                       motion->contact + motion->of_springs,
+                                       report.work.numerical,
+                                       report.work.contact,
+                                       report.work.unbalanced})
+              values.emplace_back(value);
+            for (const Tensor<1, 3> &momentum :
+                 {motion->momentum, motion->angular_momentum})
+              for (unsigned int i = 0; i < 3; ++i)
+                values.emplace_back(momentum[i]);
+            if (rolls)
+              values.emplace_back(motion->centrifugal);
+          }
+        // a shell at rest has no motion: its fields stay empty
+        values.resize(n);
+        return values;
+      };
       return group;
     }
   } // namespace
@@ -267,8 +266,8 @@ namespace Biface
                                   step.report.level.inclination_angle};
                         }});
     if (Inertia::is_among(equations.get_terms()))
-      groups.push_back(group_of_motion(!mesh.get_layup().relaxes(),
-                                       mesh.grid.closed));
+      groups.push_back(
+        group_of_motion(!mesh.get_layup().relaxes(), mesh.grid.closed));
     const TensionMembers members(mesh.get_layup());
     if (members.exist())
       {

@@ -121,8 +121,8 @@ namespace Biface
                    const LoadParameters &mu,
                    State                 guess)
     {
-      const Loads loads =
-        run.equations.with_dependent_loads(guess, run.loads_at(trial.level(mu)));
+      const Loads loads = run.equations.with_dependent_loads(
+        guess, run.loads_at(trial.level(mu)));
       run.equations.move_supports(guess, loads);
       return run.equations.out_of_balance_forces(guess, loads).l2_norm();
     }
@@ -132,7 +132,9 @@ namespace Biface
      * or, if that leaves larger forces without balance, as in a step in which
      * vibrations come and go, it stays where it is. */
     void
-    set_guess(const StageRun &run, const Control::Trial &trial, Attempt &attempt)
+    set_guess(const StageRun       &run,
+              const Control::Trial &trial,
+              Attempt              &attempt)
     {
       const StepInTime &step = *attempt.state.step;
       LoadParameters    mu   = attempt.mu;
@@ -158,20 +160,20 @@ namespace Biface
                        const StageRun       &run,
                        const Control::Trial &trial)
   {
-    const auto step      = std::make_shared<StepInTime>();
-    step->start          = run.state;
-    step->loads_at_start = run.loads_at(run.progress.reached);
-    step->duration       = trial.within(1).time - run.progress.reached.time;
-    step->damping        = run.stage.damping_in_time;
+    const auto step         = std::make_shared<StepInTime>();
+    step->start             = run.state;
+    step->loads_at_start    = run.loads_at(run.progress.reached);
+    step->duration          = trial.within(1).time - run.progress.reached.time;
+    step->damping           = run.stage.damping_in_time;
     step->moment_of_inertia = run.stage.moment_of_inertia;
-    step->masses         = masses_of_stage(run.stage,
+    step->masses            = masses_of_stage(run.stage,
                                    run.equations.mesh,
                                    run.state,
                                    step->loads_at_start,
                                    step->duration);
-    const LoadLevel middle = trial.within(0.5);
-    step->middle.pressure  = middle.pressure;
-    step->middle.factors   = middle.factors;
+    const LoadLevel middle  = trial.within(0.5);
+    step->middle.pressure   = middle.pressure;
+    step->middle.factors    = middle.factors;
 
     Attempt attempt;
     attempt.mu        = trial.mu;
@@ -199,10 +201,10 @@ namespace Biface
     const ParametrizedLoads given{
       [&](const LoadParameters &mu) { return run.loads_at(trial.level(mu)); },
       trial.equations.get()};
-    NewtonResult &result = attempt.result;
+    NewtonResult        &result      = attempt.result;
     const State          start       = attempt.state;
     const LoadParameters guess_of_mu = attempt.mu;
-    result               = newton.solve(
+    result                           = newton.solve(
       attempt.state, given, attempt.mu, NewtonIteration::substituted);
     if (result.failed() &&
         run.contact.has_friction(run.loads_at(attempt.level)) && !run.rolls)

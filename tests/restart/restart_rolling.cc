@@ -2,8 +2,8 @@
 
 // A run that is stopped while force and axle moment of a rolling wheel are both
 // prescribed, or later its slip ratio, or while its bristles move on in time,
-// with inertia or without it, and continued on another number of ranks, has the history of an uninterrupted
-// run.
+// with inertia or without it, and continued on another number of ranks, has the
+// history of an uninterrupted run.
 
 #include "../restart.h"
 

@@ -72,7 +72,8 @@ namespace Biface
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &inertia &transient_rolling &time_error &damping_in_time &moment_of_inertia;
+      archive &inertia &transient_rolling &time_error &damping_in_time
+        &moment_of_inertia;
     }
   };
 } // namespace Biface

@@ -82,7 +82,7 @@ namespace Biface
      * with inertia, see axle_moment_in_time(). Unit: force times length. */
     std::optional<double> axle_moment;
     ContactSummary        contact;
-    Footprint                     footprint;
+    Footprint             footprint;
     /** The bodies that are there beside the ground, by name. */
     std::map<std::string, BodyReport> bodies;
     /** The forces on the nodes. */

@@ -151,7 +151,7 @@ namespace Biface
       {
         const double clearance =
           (points.may_touch(n) ? this->clearance(state, loads, n) : 0.);
-        zone.active[n]         = clearance < 0;
+        zone.active[n] = clearance < 0;
         zone.multipliers[n][0] =
           (zone.active[n] ? condition.multiplier(clearance) : 0.);
       }

@@ -3,9 +3,9 @@
 #include <biface/model/contact/contact_forces.h>
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/equations/force_terms.h>
-#include <biface/model/forces/inertia_of_wheel.h>
 #include <biface/model/forces/edge_moments.h>
 #include <biface/model/forces/end_plates.h>
+#include <biface/model/forces/inertia_of_wheel.h>
 #include <biface/model/forces/joints.h>
 #include <biface/model/forces/pressure_at_folds.h>
 #include <biface/model/forces/pressure_on_directors.h>

@@ -55,8 +55,8 @@ namespace Biface
     const double angular_velocity = loads.rolling->angular_velocity;
 
     const InertiaOfWheel inertia(mesh);
-    const auto pairs   = contact.present(loads);
-    LA::Vector nothing = mesh.owned_vector();
+    const auto           pairs   = contact.present(loads);
+    LA::Vector           nothing = mesh.owned_vector();
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       {
         const Cell               &cell = mesh.cells[c];

@@ -245,8 +245,8 @@ namespace Biface
     const double      mean   = rates.angular_velocity / 2;
     force +=
       2 * step.spin(end.loads).mean * mean * unit_force(end.cell, middle);
-    force += rates.angular_velocity / step.duration *
-             unit_change(end.cell, middle);
+    force +=
+      rates.angular_velocity / step.duration * unit_change(end.cell, middle);
     MixedElement::NodalMatrix G{};
     add_gyroscopic(end.cell, mean / step.duration, G);
     force -= product(G, change);
@@ -266,7 +266,7 @@ namespace Biface
             for (unsigned int q = 0; q < 4; ++q)
               {
                 const CircumferentialSlope slope(mesh, cell, q);
-                const auto momentum = unit_momentum(cell, V, q);
+                const auto                 momentum = unit_momentum(cell, V, q);
                 for (unsigned int face = 0; face < 2; ++face)
                   sum += momentum[face] * slope.of(V, face);
               }

@@ -117,8 +117,8 @@ namespace Biface
           {
             LA::Vector          unused = mesh.owned_vector();
             std::vector<double> none;
-            sums[2 + i] += bristles.add_work(
-              motion.change[i], nullptr, {}, unused, none);
+            sums[2 + i] +=
+              bristles.add_work(motion.change[i], nullptr, {}, unused, none);
           }
       result.gradient.compress(VectorOperation::add);
       mesh.condense(result.gradient);
@@ -165,9 +165,8 @@ namespace Biface
     };
     for (const LoadRates &of_loads : rates)
       turn.change.push_back(
-        [moved = cross_product_3d(axle,
-                                  displacement_of_axle(contact.mesh,
-                                                       of_loads.factors))](
+        [moved = cross_product_3d(
+           axle, displacement_of_axle(contact.mesh, of_loads.factors))](
           const Tensor<1, 3> &) { return moved; });
     LinearizedResultant result;
     result.gradient = contact.mesh.owned_vector();

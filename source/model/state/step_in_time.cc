@@ -37,9 +37,9 @@ namespace Biface
   StepInTime::Spin
   StepInTime::spin(const Loads &end) const
   {
-    const double before = (loads_at_start.rolling ?
-                             loads_at_start.rolling->angular_velocity :
-                             0.),
+    const double before = (loads_at_start.rolling
+                             ? loads_at_start.rolling->angular_velocity
+                             : 0.),
                  after  = end.rolling->angular_velocity;
     return {(before + after) / 2, (after - before) / duration};
   }

@@ -120,9 +120,9 @@ namespace Biface
                              const Loads                  &loads,
                              const std::vector<LoadRates> &rates)
     {
-      const StepInTime    &step = *state.step;
-      const Inertia        of_shell(mesh);
-      const InertiaOfWheel of_wheel(mesh);
+      const StepInTime                      &step = *state.step;
+      const Inertia                          of_shell(mesh);
+      const InertiaOfWheel                   of_wheel(mesh);
       const std::array<const ForceTerm *, 2> terms{{&of_shell, &of_wheel}};
 
       // in the shape halfway, in which internal forces have no moment
@@ -138,8 +138,8 @@ namespace Biface
                    2);
 
       LinearizedResultant result;
-      result.gradient              = mesh.owned_vector();
-      LA::Vector            nodal  = mesh.owned_vector();
+      result.gradient             = mesh.owned_vector();
+      LA::Vector            nodal = mesh.owned_vector();
       std::vector<double>   sums(2 + rates.size());
       ForceTerm::CellForces forces;
       for (const unsigned int c : mesh.layers)
@@ -160,7 +160,7 @@ namespace Biface
                   term->add_load_derivative_over_step(
                     start, end, rates[i], per_load[i]);
               }
-          const auto moved = mesh.cell_values(turn, cell);
+          const auto                      moved = mesh.cell_values(turn, cell);
           const MixedElement::NodalVector force = forces.force + forces.load;
           MixedElement::NodalVector       gradient;
           for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
@@ -178,7 +178,7 @@ namespace Biface
       nodal.compress(VectorOperation::add);
       add_change_of_rotation(mesh, nodal, -0.5, result.gradient);
       // the place of the axle moves, too
-      const Tensor<1, 3> resultant = sum_of(mesh, nodal);
+      const Tensor<1, 3>  resultant = sum_of(mesh, nodal);
       std::vector<double> by_place;
       for (const LoadRates &of_loads : rates)
         by_place.push_back(

@@ -87,7 +87,7 @@ namespace Biface
     if (loads.rolling)
       {
         const InertiaOfWheel of_wheel(mesh);
-        const double angular_velocity = loads.rolling->angular_velocity;
+        const double         angular_velocity = loads.rolling->angular_velocity;
         result.centrifugal = of_wheel.potential(state, angular_velocity);
         LA::Vector flow    = mesh.owned_vector();
         of_wheel.add_momentum(state, angular_velocity, flow);

@@ -241,7 +241,7 @@ namespace Biface
       }
 
       double
-      scale(const double prescribed,
+      scale(const double                       prescribed,
             const LinearizedResultant         &now,
             const ControlEquations::Iteration &iteration) const override
       {

@@ -66,9 +66,8 @@ namespace Biface
       result.push_back(stage.histories.value(motion.name(), at * stage.duration)
                          .value_or(motion.force));
     if (stage.prescribes_axle_moment())
-      result.push_back(
-        stage.histories.value("axle moment", at * stage.duration)
-          .value_or(stage.axle_moment));
+      result.push_back(stage.histories.value("axle moment", at * stage.duration)
+                         .value_or(stage.axle_moment));
     return result;
   }
 

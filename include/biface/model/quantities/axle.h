@@ -19,8 +19,8 @@ namespace Biface
   dealii::Tensor<1, 3>
   displacement_of_axle(const ShellMesh &mesh, const Loads &loads);
 
-  /** The motion of the axle of a wheel by given load factors, or its velocity by
-   * their rates. Unit: length, or length/time. */
+  /** The motion of the axle of a wheel by given load factors, or its velocity
+   * by their rates. Unit: length, or length/time. */
   dealii::Tensor<1, 3>
   displacement_of_axle(const ShellMesh           &mesh,
                        const std::vector<double> &factors);

@@ -28,13 +28,14 @@ namespace Biface
 
   /**
    * The moment of the axle on a wheel about the y axis. It is what balances the
-   * moments of the ground and of other bodies about the axle, @f$-\mathbf r\cdot\mathbf f@f$
-   * with the rotation @f$\mathbf r=\mathbf e_y\times\mathbf x@f$ of the
-   * deformed face about the place of the axle, see displacement_of_axle(). The rim exerts it in addition to what dead loads need:
-   * only with it the power of the axle is what the ground takes, since the work
-   * of a dead pressure on the particles that flow through a constant shape is
-   * minus that of its moment on the rotation. A true pressure has none. Unit:
-   * force times length.
+   * moments of the ground and of other bodies about the axle, @f$-\mathbf
+   * r\cdot\mathbf f@f$ with the rotation @f$\mathbf r=\mathbf e_y\times\mathbf
+   * x@f$ of the deformed face about the place of the axle, see
+   * displacement_of_axle(). The rim exerts it in addition to what dead loads
+   * need: only with it the power of the axle is what the ground takes, since
+   * the work of a dead pressure on the particles that flow through a constant
+   * shape is minus that of its moment on the rotation. A true pressure has
+   * none. Unit: force times length.
    *
    * Must be called on all ranks.
    */

@@ -20,8 +20,8 @@ namespace Biface
    * the shell. Unit: force times length, and force times time. */
   struct EnergyOfMotion
   {
-    /** The kinetic energy, in the frame of the axle if the shell is a wheel that
-     * rolls. */
+    /** The kinetic energy, in the frame of the axle if the shell is a wheel
+     * that rolls. */
     double kinetic = 0;
     /** The potential of centrifugal forces on a wheel that rolls, see
      * InertiaOfWheel::potential(). */
