@@ -27,7 +27,7 @@ namespace Biface
   namespace CheckpointFile
   {
     /** Version of the format; files of other versions are refused. */
-    constexpr std::uint32_t format = 17;
+    constexpr std::uint32_t format = 18;
 
     using Table = std::pair<std::string, NumberedRows>;
 
