@@ -50,6 +50,7 @@ namespace Biface
     , body(body)
     , law(body && rolling ? body->laws.bristles() : nullptr)
     , step(state.rolling_step.get())
+    , halfway(state.step && state.rolling_step)
     , number(number)
   {
     if (!exist())
@@ -463,10 +464,15 @@ namespace Biface
         const LineNode &node = line.nodes[j];
         if (!node.touches)
           return;
-        const Tensor<1, 3> moved = motion(Tensor<1, 3>(node.x));
+        const Tensor<1, 3> moved = motion(
+          halfway ? (Tensor<1, 3>(node.x) + Tensor<1, 3>(node.past.x)) / 2
+                  : Tensor<1, 3>(node.x));
         work += moved * force(line, j);
         if (transposed_derivative)
-          add_to_nodes(n, transposed_derivative(force(line, j)), gradient);
+          add_to_nodes(n,
+                       (halfway ? 0.5 : 1.) *
+                         transposed_derivative(force(line, j)),
+                       gradient);
         // a bristle depends on all nodes that its particle has passed in
         // contact, also of other ranks
         for (unsigned int i = line.bristles[j].first; i <= j; ++i)

@@ -148,8 +148,10 @@ namespace Biface
         const double square = mean_by_force(
           pair, zone, [&](const double p) { return (p - mean) * (p - mean); });
         summary.weighted_pressure = mean;
-        if (mean > 0)
-          summary.pressure_variation = std::sqrt(std::max(0., square)) / mean;
+        // what round-off leaves where all pressures are the same
+        constexpr double negligible = 1e-12;
+        if (square > negligible * negligible * mean * mean)
+          summary.pressure_variation = std::sqrt(square) / mean;
       }
     return summary;
   }

@@ -12,6 +12,7 @@
 #include <biface/model/quantities/contact_resultants.h>
 #include <biface/model/state/loads.h>
 #include <biface/model/state/placed_body.h>
+#include <biface/model/state/step_in_time.h>
 
 namespace Biface
 {
@@ -43,6 +44,18 @@ namespace Biface
     {
       const ShellMesh    &mesh = pair.mesh;
       const ContactForces of_pair(pair);
+      // over a step in the shape halfway, in which internal forces have no
+      // moment
+      const double part     = (state.step ? 0.5 : 1);
+      const auto   position = [&](const Node &node) {
+        Tensor<1, 3> x(
+          mesh.deformed_position(state.displacement, node, pair.face));
+        if (state.step)
+          x = (x + Tensor<1, 3>(mesh.deformed_position(
+                     state.step->start.displacement, node, pair.face))) /
+              2;
+        return x;
+      };
       LinearizedResultant result;
       result.gradient = mesh.owned_vector();
 
@@ -78,13 +91,12 @@ namespace Biface
                 f[i] = force[MixedElement::dof(v, i, MixedElement::mean)];
               if (motion.transposed_derivative)
                 MixedElement::add_force(
-                  node.surface.to_frame(
-                    motion.transposed_derivative(node.surface.from_frame(f))),
+                  part * node.surface.to_frame(motion.transposed_derivative(
+                           node.surface.from_frame(f))),
                   v,
                   cell.sign_of_face(v, pair.face),
                   gradient);
-              const Tensor<1, 3> x(
-                mesh.deformed_position(state.displacement, node, pair.face));
+              const Tensor<1, 3> x = position(node);
               for (unsigned int i = 0; i < motion.change.size(); ++i)
                 sums[2 + i] += f * node.surface.to_frame(motion.change[i](x));
               const Tensor<1, 3> r = node.surface.to_frame(motion.at(x));
@@ -154,8 +166,16 @@ namespace Biface
               const std::vector<LoadRates> &rates)
   {
     // M = -sum f.(e_y x x), section 10 of doc/theory.md
-    const Tensor<1, 3> axle({0., 1., 0.}),
-      place = displacement_of_axle(contact.mesh, loads);
+    const Tensor<1, 3> axle({0., 1., 0.});
+    Tensor<1, 3>       place = displacement_of_axle(contact.mesh, loads);
+    double             part  = 1;
+    if (state.step)
+      {
+        part  = 0.5;
+        place = (place + displacement_of_axle(contact.mesh,
+                                              state.step->loads_at_start)) /
+                2;
+      }
     Motion turn;
     turn.at = [&](const Tensor<1, 3> &x) {
       return cross_product_3d(x - place, axle);
@@ -165,8 +185,9 @@ namespace Biface
     };
     for (const LoadRates &of_loads : rates)
       turn.change.push_back(
-        [moved = cross_product_3d(
-           axle, displacement_of_axle(contact.mesh, of_loads.factors))](
+        [moved = part *
+                 cross_product_3d(
+                   axle, displacement_of_axle(contact.mesh, of_loads.factors))](
           const Tensor<1, 3> &) { return moved; });
     LinearizedResultant result;
     result.gradient = contact.mesh.owned_vector();

@@ -16,6 +16,15 @@ namespace Biface
 
 
   void
+  TimeControl::check(const std::string &section, const KnownStart &start) const
+  {
+    LoadControl::check(section, start);
+    for (const auto &resultant : forces)
+      resultant->check(stage, section, start);
+  }
+
+
+  void
   TimeControl::check(const std::string &section, const ShellMesh &mesh) const
   {
     Biface::check(forces, section, mesh);

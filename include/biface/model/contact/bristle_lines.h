@@ -102,8 +102,8 @@ namespace Biface
     add_load_derivative(const LoadRates &rates, LA::Vector &nodal_forces) const;
 
     /** Add the derivatives of the work of the forces of add_forces() in a
-     * motion of the positions: by the unknowns of all nodes, and for each of
-     * the rates.
+     * motion of the positions, over a StepInTime those halfway: by the unknowns
+     * of all nodes, and for each of the rates.
      * @param transposed_derivative of the motion, times a force; null if it is
      * the same everywhere.
      * @return the work. */
@@ -210,6 +210,8 @@ namespace Biface
     const BristleLaw *law;
     /** The step over which the bristles have moved; null in steady rolling. */
     const RollingStep *step;
+    /** Whether forces do their work in the shape halfway: over a StepInTime. */
+    const bool         halfway;
     const unsigned int number;
     std::vector<Line>  lines;
     /** The line of each node of this rank and the position in it; not set for

@@ -22,7 +22,8 @@ namespace Biface
                 const Parameters           &parameters,
                 const ControlledResultants &forces);
 
-    using LoadControl::check;
+    void
+    check(const std::string &section, const KnownStart &start) const override;
 
     void
     check(const std::string &section, const ShellMesh &mesh) const override;
