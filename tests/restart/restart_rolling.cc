@@ -47,10 +47,12 @@ main(int argc, char *argv[])
   check_restart("transient", transient, 6);
   check_restart("with inertia",
                 with(transient,
-                     {"Material rubber/Density=1e-9",
+                     {"Material cord/Density=1e-9",
                       "Stage 4/Slip ratio=none",
                       "Stage 4/Duration=0.02",
                       "Stage 4/Inertia=true",
+                      "Stage 4/Contact damping=0.5",
+                      "Stage 4/Numerical damping=0.5",
                       "Stage 4/Control=axle moment",
                       "Stage 4/Moment of inertia=0.1",
                       "Stage 4/Axle moment=-1000",
