@@ -9,6 +9,7 @@
 #include <biface/base/errors.h>
 #include <biface/input/formula.h>
 #include <biface/model/equations/shell_equations.h>
+#include <biface/model/mesh/displacements_of_faces.h>
 #include <biface/model/mesh/supports.h>
 #include <biface/model/state/loads.h>
 #include <biface/stepping/masses_of_stage.h>
@@ -45,16 +46,7 @@ namespace Biface
               is_finite = is_finite && std::isfinite(v.norm());
               of_faces.push_back(node.surface.to_frame(v));
             }
-          // the mean of the outermost faces, and half the differences over the
-          // layers
-          for (unsigned int i = 0; i < 3; ++i)
-            {
-              velocity(node.dof(i, 0)) =
-                (of_faces.front()[i] + of_faces.back()[i]) / 2;
-              for (unsigned int part = 1; part < node.n_parts(); ++part)
-                velocity(node.dof(i, part)) =
-                  (of_faces[part][i] - of_faces[part - 1][i]) / 2;
-            }
+          set_displacements_of_faces(node, of_faces, velocity);
         }
       velocity.compress(VectorOperation::insert);
       return is_finite;

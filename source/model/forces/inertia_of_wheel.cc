@@ -139,30 +139,13 @@ namespace Biface
                                  const double               angular_velocity,
                                  MixedElement::NodalMatrix &G) const
   {
-    const MassMoments &m      = mass_moments[cell.strip];
-    const double       factor = angular_velocity * cell.geometry.weight / 4;
-    for (unsigned int q = 0; q < 4; ++q)
-      for (const auto &[vertex, derivative] :
-           CircumferentialSlope(mesh, cell, q).parts())
-        for (unsigned int f = 0; f < 2; ++f)
-          for (unsigned int g = 0; g < 2; ++g)
-            {
-              // two transposed terms of opposite sign make the matrix skew to
-              // round-off, section 10 of doc/theory.md
-              const Tensor<2, 3> part = factor * m[f][g] * derivative;
-              MixedElement::add_stiffness(-part,
-                                          q,
-                                          MixedElement::face_sign[f],
-                                          vertex,
-                                          MixedElement::face_sign[g],
-                                          G);
-              MixedElement::add_stiffness(transpose(part),
-                                          vertex,
-                                          MixedElement::face_sign[f],
-                                          q,
-                                          MixedElement::face_sign[g],
-                                          G);
-            }
+    // two transposed terms of opposite sign make the matrix skew to round-off,
+    // section 10 of doc/theory.md
+    MixedElement::NodalMatrix N{};
+    add_transport(cell, angular_velocity, N);
+    for (unsigned int i = 0; i < MixedElement::n_dofs; ++i)
+      for (unsigned int j = 0; j < MixedElement::n_dofs; ++j)
+        G[i][j] += N[i][j] - N[j][i];
   }
 
 

@@ -6,6 +6,7 @@
 
 #include <biface/model/contact/contact_interaction.h>
 #include <biface/model/forces/inertia_of_wheel.h>
+#include <biface/model/mesh/displacements_of_faces.h>
 #include <biface/model/quantities/axle.h>
 #include <biface/model/quantities/contact_resultants.h>
 #include <biface/model/state/step_in_time.h>
@@ -21,28 +22,6 @@ namespace Biface
     const Tensor<1, 3> axle({0., 1., 0.});
 
 
-    /** A vector of one for each face at a node, in the frame of the node, as
-     * entries of a vector of displacements. */
-    template <typename OfFace>
-    void
-    set_displacements(const ShellMesh &mesh,
-                      const Node      &node,
-                      const OfFace    &of_face,
-                      LA::Vector      &vector)
-    {
-      std::vector<Tensor<1, 3>> faces;
-      for (unsigned int face = 0; face <= mesh.n_layers(); ++face)
-        faces.push_back(node.surface.to_frame(of_face(face)));
-      for (unsigned int i = 0; i < 3; ++i)
-        {
-          vector(node.dof(i, 0)) = (faces.front()[i] + faces.back()[i]) / 2;
-          for (unsigned int part = 1; part < node.n_parts(); ++part)
-            vector(node.dof(i, part)) =
-              (faces[part][i] - faces[part - 1][i]) / 2;
-        }
-    }
-
-
     /** The motion of all nodes in a rotation about the axle with a unit
      * angular velocity.
      * @param displacement readable at all nodes of this rank.
@@ -55,16 +34,16 @@ namespace Biface
       LA::Vector result = mesh.owned_vector();
       for (const Node &node : mesh.nodes)
         if (node.locally_owned)
-          set_displacements(
-            mesh,
-            node,
-            [&](const unsigned int face) {
-              return cross_product_3d(
-                axle,
-                mesh.position_of_any_face(displacement, node, face) -
-                  Point<3>(place));
-            },
-            result);
+          {
+            std::vector<Tensor<1, 3>> of_faces;
+            for (unsigned int face = 0; face <= mesh.n_layers(); ++face)
+              of_faces.push_back(node.surface.to_frame(
+                cross_product_3d(axle,
+                                 Tensor<1, 3>(mesh.position_of_any_face(
+                                                displacement, node, face) -
+                                              Point<3>(place)))));
+            set_displacements_of_faces(node, of_faces, result);
+          }
       result.compress(VectorOperation::insert);
       LA::Vector with_ghosts = mesh.ghosted_vector();
       with_ghosts            = result;
